@@ -19,7 +19,7 @@ double stiffest_of(const haptics::Capabilities &device, double damping, double r
     return haptics::check_stability(device, rendering).stiffness;
 }
 
-std::unique_ptr<haptics::ForceLaw> make_law(const std::string &name, const haptics::SurfaceProperties &surface)
+std::unique_ptr<haptics::ForceLaw> make_law(const std::string &name, const haptics::Material &surface)
 {
     if (name == "proxy")
         return std::make_unique<haptics::ProxyLaw>(surface);

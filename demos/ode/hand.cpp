@@ -82,7 +82,7 @@ void Hand::make_probe(const Place &place)
     settings.placement = placement_in(place);
     // As stiff at the hand as possible, as soft in the scene as light objects need.
     settings.placement.force_scale = hand_stiffness() / (stiffness * settings.placement.scale);
-    settings.law = std::make_shared<haptics::PenaltyLaw>(haptics::SurfaceProperties{stiffness, 0, 0});
+    settings.law = std::make_shared<haptics::PenaltyLaw>(haptics::Material{stiffness, 0, 0});
     settings.rate = settings.physics_rate = 1 / frame_seconds;
     settings.clutch_button = clutch_button;
     settings.notice = [](const haptics::Notice &notice) { std::cerr << "-- " << notice.sentence() << std::endl; };

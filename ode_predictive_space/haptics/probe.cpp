@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/contact/body_watch.h"
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
 #include "ode_predictive_space/haptics/device/with_lock.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
@@ -27,20 +28,15 @@ void add_wrench(dBodyID body, const Wrench &wrench)
     if (wrench.force.isZero(0) && wrench.torque.isZero(0))
         return;
     dBodyEnable(body);
-    dBodyAddForce(body, static_cast<dReal>(wrench.force.x()), static_cast<dReal>(wrench.force.y()),
-                  static_cast<dReal>(wrench.force.z()));
-    dBodyAddTorque(body, static_cast<dReal>(wrench.torque.x()), static_cast<dReal>(wrench.torque.y()),
-                   static_cast<dReal>(wrench.torque.z()));
+    call_ode(&dBodyAddForce, body, wrench.force);
+    call_ode(&dBodyAddTorque, body, wrench.torque);
 }
 
-/// kg m^2; about the axis about which the body turns most easily.
 double smallest_inertia(const dMass &mass)
 {
-    Eigen::Matrix3d inertia;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            inertia(row, column) = static_cast<double>(mass.I[4 * row + column]);
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_of(mass), Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .minCoeff();
 }
 
 bool is_same(const CouplingProperties &a, const CouplingProperties &b)
@@ -63,11 +59,10 @@ public:
             add_wrench(body, renderer.render(possible, as_held(tool_state_of(body)), dt));
             return;
         }
-        tell_of_loss("No force: the tool's body was destroyed.");
+        notify_of_loss("No force: the tool's body was destroyed.");
         renderer.render({}, true, dt);
     }
 
-    /// The coupling with which the body can be stepped.
     CouplingProperties coupling_of(dBodyID body, double dt)
     {
         if (dBodyIsKinematic(body) != 0)
@@ -77,7 +72,7 @@ public:
         const CouplingProperties possible =
             bounded(coupling, static_cast<double>(mass.mass), smallest_inertia(mass), dt);
         const NoticeSink &sink = renderer.notice_sink();
-        if (!is_same(possible, coupling) && !std::exchange(told_of_light_tool, true) && sink)
+        if (!is_same(possible, coupling) && !std::exchange(notified_of_light_tool, true) && sink)
         {
             sink(Notice(NoticeKind::stability, renderer.last_tick().time,
                         "The coupling is softer or less damped than asked for: the tool's body is too light for it."));
@@ -85,7 +80,7 @@ public:
         return possible;
     }
 
-    /// The body as the handle holds it: turned as the handle where it was so at the start, or after a jump.
+    /// The body relative to its grip: its orientation at the start, or after a jump, counts as that of the handle.
     ToolState as_held(ToolState body)
     {
         if (!grip || tool_jumps != renderer.last_tick().tool_jumps)
@@ -97,43 +92,43 @@ public:
         return body;
     }
 
-    void tell_if_gone()
+    void notify_if_gone()
     {
         if (sensor && sensor->is_gone())
-            tell_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
+            notify_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
     }
 
-    void tell_of_loss(std::string_view sentence) { tell_once(told_of_loss, sentence); }
+    void notify_of_loss(std::string_view sentence) { notify_once(notified_of_loss, sentence); }
 
-    void tell_of_contact()
+    void notify_of_contact()
     {
         if (sensor->is_reading())
-            tell_once(told_of_reading, reading_notice);
+            notify_once(notified_of_reading, reading_notice);
         if (sensor->exceeds_capacity())
-            tell_once(told_of_capacity, capacity_notice);
+            notify_once(notified_of_capacity, capacity_notice);
     }
 
-    void tell_once(bool &told, std::string_view sentence)
+    void notify_once(bool &notified, std::string_view sentence)
     {
         const NoticeSink &sink = renderer.notice_sink();
-        if (!std::exchange(told, true) && sink)
+        if (!std::exchange(notified, true) && sink)
             sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
     }
 
-    std::mutex run_mutex; ///< of the one below
+    std::mutex run_mutex; ///< guards run
     std::shared_ptr<ActiveRun> run;
     Renderer renderer;
     std::unique_ptr<TouchSensor> sensor;
-    std::uintptr_t tool = 0; ///< its body, in the watch as long as it is there
+    std::uintptr_t tool = 0; ///< its body, kept in tool_watch
     BodyWatch tool_watch;
     CouplingProperties coupling;
     std::optional<Quaternion> grip; ///< the body's orientation in the handle's frame
-    bool told_of_light_tool = false;
+    bool notified_of_light_tool = false;
     double tick_length = 0; ///< s
-    int tool_jumps = 0;     ///< as RenderedTick has it
-    bool told_of_loss = false;
-    bool told_of_reading = false;
-    bool told_of_capacity = false;
+    int tool_jumps = 0;     ///< of RenderedTick
+    bool notified_of_loss = false;
+    bool notified_of_reading = false;
+    bool notified_of_capacity = false;
     std::vector<Encounter> encounters;
 };
 
@@ -168,11 +163,11 @@ HapticProbe::~HapticProbe()
         run->end_and_wait("a haptic probe");
     try
     {
-        parts_->tell_if_gone();
+        parts_->notify_if_gone();
     }
     catch (...)
     {
-        // a notice is not worth the program's end
+        // a destructor must not throw
     }
 }
 
@@ -201,7 +196,7 @@ void HapticProbe::begin(double time, double clock_time)
 {
     Renderer &renderer = parts_->renderer;
     renderer.read(time, clock_time);
-    parts_->tell_if_gone();
+    parts_->notify_if_gone();
     if (TouchSensor *sensor = parts_->sensor.get())
     {
         sensor->set_view(renderer.law().view());
@@ -243,7 +238,7 @@ void HapticProbe::render(double dt)
     {
         renderer.render(sensor->touches(), !sensor->saw_nonsense(), dt);
         sensor->push(renderer.shares());
-        parts_->tell_of_contact();
+        parts_->notify_of_contact();
     }
     else
     {
@@ -258,7 +253,7 @@ const std::vector<Encounter> &HapticProbe::encounters()
     const dSpaceID space = geom() != nullptr ? dGeomGetSpace(geom()) : nullptr;
     if (space == nullptr || dSpaceIsPredictive(space) == 0)
         return encounters;
-    const int most = dSpaceGetNumGeoms(space); // in a dense crowd, hundreds are near at once
+    const int most = dSpaceGetNumGeoms(space); // hundreds may be near at once
     std::vector<dPredictiveEncounter> found(static_cast<std::size_t>(most));
     const int count = dPredictiveSpaceGetEncounters(space, geom(), found.data(), most);
     encounters.reserve(static_cast<std::size_t>(count));

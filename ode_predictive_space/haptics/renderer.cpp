@@ -1,4 +1,4 @@
-// From the device to the tool, and from touches to the device: read, law, safety, write, and what there is to tell.
+// Stages of a tick: read, law, safety, write, and notices.
 
 #include "ode_predictive_space/haptics/renderer.h"
 
@@ -24,12 +24,13 @@ namespace
 {
 constexpr double usual_stiffness = 500; // N/m
 
-/// N s/m; all damping of device and hand in a light grip (some 80 g and 60 N/m). Devices do not report theirs.
+/// N s/m; damping of device and hand in a light grip (some 80 g and 60 N/m). Devices do not report theirs.
 constexpr double light_grip = 0.8;
-/// What encoders take of the passive stiffness: at three quarters, a grip like that swings by two steps of the encoder.
+/// Factor for encoders: at 0.75 of the passive stiffness, such a grip oscillates by two encoder steps.
 constexpr double margin_of_encoders = 0.6;
 
-/// As stiff in the hand, whatever the scale, but no stiffer than a light grip is stable with, where the damping is unknown.
+/// The stiffness in the hand does not depend on the scale. Where the damping is unknown, it is limited to the stable
+/// stiffness of a light grip.
 std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping,
                                     const RenderSettings &settings)
 {
@@ -44,7 +45,7 @@ std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const Work
     return std::make_shared<ProxyLaw>(material);
 }
 
-// With a device that cannot push, one can still push what is in the scene, as hard as with any other.
+// A device without force output still pushes the scene, with the limits of a common device.
 SafetyLimits usual_limits(const Capabilities &capabilities)
 {
     if (capabilities.force_axes > 0)
@@ -55,16 +56,16 @@ SafetyLimits usual_limits(const Capabilities &capabilities)
     return SafetyLimits::of(desktop);
 }
 
-constexpr double jump = 10; // times the maximum of speed
+constexpr double jump = 10; // of the maximum speed
 
-/// Topics of notices: there is at most one notice a second on each.
+/// Topics of notices, with at most one notice a second on each.
 enum Topic : std::size_t
 {
     topic_contact,
     topic_material,
     topic_jump,
-    topic_safety,                                        ///< and one for each of its actions
-    topic_watchdog = topic_safety + safety_action_count, ///< and one for each of its reasons
+    topic_safety,                                        ///< one for each action
+    topic_watchdog = topic_safety + safety_action_count, ///< one for each reason
     topic_count = topic_watchdog + watchdog_reason_count
 };
 static_assert(topic_count <= NoticeDesk::most_topics);
@@ -74,9 +75,8 @@ bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
     return button && *button < 32 && ((state.buttons >> *button) & 1U) != 0;
 }
 
-/// What makes the safety stage take the force away, or less of it than one would notice.
-constexpr SafetyAction worth_telling[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
-                                          SafetyAction::no_axes, SafetyAction::clamped};
+constexpr SafetyAction worth_a_notice[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
+                                           SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
 
 class Renderer::Parts
@@ -94,7 +94,7 @@ public:
             throw std::invalid_argument("The delay of a device must be finite and not negative");
     }
 
-    double delay() const { return std::max(settings.delay.value_or(link.capabilities().delay), link.measured_delay()); }
+    double delay() const { return settings.delay.value_or(link.capabilities().delay); }
 
     void restart()
     {
@@ -114,27 +114,18 @@ public:
         {
             ++tick.tool_jumps;
             restart();
-            notices.tell_once_a_second(topic_jump, NoticeKind::device,
-                                       "No force until the probe is free: the device's position has jumped.");
+            notices.notify_once_a_second(topic_jump, NoticeKind::device,
+                                         "No force until the probe is free: the device's position has jumped.");
         }
         if (news.came_back)
             news.only_doubted ? safety.restart_ramp() : restart();
         if (news.had_failed)
-            notices.tell(NoticeKind::device, link.capabilities().name + " answers again; the force comes back slowly.");
+            notices.notify(NoticeKind::device,
+                           link.capabilities().name + " answers again; the force comes back slowly.");
         if (news.was_away)
             ++tick.tool_jumps;
         workspace.move_clutch(is_held(settings.clutch_button, tick.state), tick.state);
         tick.tool = workspace.mapping.to_scene(tick.state);
-    }
-
-    /// What is rendered from now on is as soft as the delay wants it: rendered() goes by that. The law itself is not changed.
-    void tell_of_delay()
-    {
-        const Material material = law->material();
-        const StabilityVerdict verdict =
-            check_stability(link.capabilities(), rendering(material.stiffness, material.damping));
-        if (verdict.outcome != StabilityOutcome::fine)
-            notices.tell(NoticeKind::stability, verdict.reason);
     }
 
     void render(const std::vector<Touch> &touches, bool all_known, double dt)
@@ -148,7 +139,7 @@ public:
         if (!all_known)
         {
             requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
-            notices.tell_once_a_second(
+            notices.notify_once_a_second(
                 topic_contact, NoticeKind::contact,
                 "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
         }
@@ -157,7 +148,6 @@ public:
         close_tick(requested.force, given);
     }
 
-    /// What the device can render of those that were asked for.
     void choose_materials(std::vector<Touch> &touches)
     {
         bool less = false;
@@ -171,20 +161,18 @@ public:
         }
         if (less)
         {
-            notices.tell_once_a_second(
+            notices.notify_once_a_second(
                 topic_material, NoticeKind::stability,
                 "A material is softer or less damped than asked for: the device cannot render more.");
         }
     }
 
-    /// @return what was written, in the scene's frame.
     Wrench write(const Wrench &requested, double dt)
     {
         watchdog->device_answered(link.answers());
         watchdog->servo_ticked(clock_time);
         tick.wrench = link.answers() ? link.write(limited(requested, dt)) : Wrench();
-        tell_of_watchdog();
-        notices.tell_held_back();
+        notify_of_watchdog();
         if (passivity)
             passivity->written(tick.wrench.force);
         const WorkspacePlacement &placement = workspace.mapping.placement();
@@ -202,16 +190,16 @@ public:
             at_device.force = passivity->control(tick.state, at_device.force, dt);
         }
         Vector3 velocity = tick.state.linear_velocity;
-        if (link.speed() > safety.limits().max_speed) // whatever the device tells
+        if (link.speed() > safety.limits().max_speed) // the measured speed counts
             velocity = link.speed() * Vector3::UnitX();
         Wrench safe = safety.limit(at_device, velocity, tick.time, watchdog->factor());
-        tell_of_safety();
+        notify_of_safety();
         return safe;
     }
 
     void close_tick(const Vector3 &requested, const Vector3 &force)
     {
-        tick.wished = requested;
+        tick.requested = requested;
         tick.force = force;
         tick.allowance = watchdog->factor();
         tick.device_answers = link.answers();
@@ -220,27 +208,27 @@ public:
             recorder(tick);
     }
 
-    void tell_of_safety()
+    void notify_of_safety()
     {
-        for (const SafetyAction action : worth_telling)
+        for (const SafetyAction action : worth_a_notice)
         {
             if (safety.report().began(action))
             {
-                notices.tell_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
-                                           explanation_of(action));
+                notices.notify_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
+                                             explanation_of(action));
             }
         }
     }
 
-    // A device that does not answer has been told of.
-    void tell_of_watchdog()
+    // DeviceLink reports a device that does not answer.
+    void notify_of_watchdog()
     {
         const WatchdogReason reason = watchdog->reason();
         const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-        if (worth && watchdog->has_new_reason() && !link.guard_acted()) // of that, the guard has told
+        if (worth && watchdog->has_new_reason() && !link.guard_acted()) // the guard has reported that
         {
-            notices.tell_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
-                                       explanation_of(reason));
+            notices.notify_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
+                                         explanation_of(reason));
         }
     }
 
@@ -258,12 +246,11 @@ public:
         const StabilityVerdict verdict = check_stability(link.capabilities(), wanted);
         if (verdict.outcome == StabilityOutcome::refused || verdict.damping < wanted.damping)
             throw std::invalid_argument(verdict.reason);
-        if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != stability_told)
-            notices.tell(NoticeKind::stability, verdict.reason);
-        stability_told = verdict.reason;
+        if (verdict.outcome == StabilityOutcome::clamped && verdict.reason != reported_reason)
+            notices.notify(NoticeKind::stability, verdict.reason);
+        reported_reason = verdict.reason;
     }
 
-    /// @param stiffness,damping of the scene.
     Rendering rendering(double stiffness, double damping) const
     {
         Rendering rendering;
@@ -287,20 +274,20 @@ public:
         return result;
     }
 
-    RenderSettings settings; ///< its law is 0 as long as that is the default, its sink of notices is in the desk
+    RenderSettings settings; ///< law is 0 for the default law
     NoticeDesk notices;
     DeviceLink link;
     HandWorkspace workspace;
     std::shared_ptr<ForceLaw> law;
     SafetyStage safety;
-    std::optional<Watchdog> watchdog; ///< replaced when the rates change; never empty after construction
+    std::optional<Watchdog> watchdog; ///< replaced with the rates; has a value after construction
     std::optional<PassivityController> passivity;
     std::function<void(const RenderedTick &)> recorder;
     FeltTouches touched;
     RenderedTick tick;
     double clock_time = 0;
-    bool relaxed = false;       ///< and has not been read since
-    std::string stability_told; ///< why the law is rendered softer; empty when it is not
+    bool relaxed = false;        ///< without a read() since
+    std::string reported_reason; ///< the reported reason for a softer law
 };
 
 Renderer::Renderer(Device &device, RenderSettings settings)
@@ -343,7 +330,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
     parts_->workspace.place(placement);
     parts_->renew_usual_law();
     parts_->check_law();
-    parts_->restart(); // the tool jumps, perhaps into something
+    parts_->restart(); // the tool jumps
     ++parts_->tick.tool_jumps;
 }
 
@@ -378,11 +365,6 @@ void Renderer::check(const CouplingProperties &coupling)
     parts_->check(coupling.stiffness, coupling.damping);
 }
 
-double Renderer::delay() const
-{
-    return parts_->delay();
-}
-
 Material Renderer::rendered(const Material &material) const
 {
     return parts_->rendered(material);
@@ -397,11 +379,8 @@ void Renderer::read(double time, double clock_time)
     parts_->clock_time = clock_time;
     if (parts_->link.notice_guard() || parts_->relaxed)
         parts_->restart();
-    const double delay_before = delay();
     const DeviceLink::News news =
         parts_->link.read(time, parts_->settings.rate, jump * parts_->safety.limits().max_speed);
-    if (delay() > delay_before)
-        parts_->tell_of_delay();
     if (parts_->link.answers())
         parts_->take_in(news);
 }
@@ -424,7 +403,7 @@ Wrench Renderer::render(const CouplingProperties &coupling, const ToolState &bod
     softened.stiffness = rendered({coupling.stiffness, coupling.damping}).stiffness;
     const Wrench requested = wrench_on_device(softened, tool(), body);
     if (parts_->workspace.take_release())
-        parts_->safety.restart_ramp(); // the body may have been held off the tool meanwhile
+        parts_->safety.restart_ramp(); // the body may be far from the tool
     Wrench given = parts_->write(requested, dt);
     if (parts_->link.capabilities().force_axes < 6 && parts_->link.answers())
         given.torque = parts_->watchdog->factor() * requested.torque;
@@ -442,11 +421,6 @@ void Renderer::physics_fresh(double clock_time)
     parts_->watchdog->physics_fresh(clock_time);
 }
 
-void Renderer::tell_held_back()
-{
-    parts_->notices.tell_held_back(0);
-}
-
 const ToolState &Renderer::tool() const
 {
     return parts_->tick.tool;
@@ -460,16 +434,6 @@ const std::vector<ForceShare> &Renderer::shares() const
 const RenderedTick &Renderer::last_tick() const
 {
     return parts_->tick;
-}
-
-const SafetyReport &Renderer::safety_report() const
-{
-    return parts_->safety.report();
-}
-
-std::uint64_t Renderer::held_back() const
-{
-    return parts_->notices.held_back();
 }
 
 DeviceGate &Renderer::gate()

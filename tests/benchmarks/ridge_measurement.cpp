@@ -50,7 +50,7 @@ private:
 
 haptics::RenderSettings with_proxy()
 {
-    haptics::SurfaceProperties properties;
+    haptics::Material properties;
     properties.stiffness = stiffness;
     haptics::RenderSettings settings;
     settings.law = std::make_shared<haptics::ProxyLaw>(properties);
@@ -99,7 +99,7 @@ RidgeResult run_ridges(const RidgeSettings &settings)
     probe.set_recorder([&](const haptics::RenderedTick &tick) {
         if (samples.size() < samples.capacity())
         {
-            samples.push_back({tick.tool.position, tick.wished});
+            samples.push_back({tick.tool.position, tick.requested});
         }
     });
     haptics::LoopSettings loop_settings;

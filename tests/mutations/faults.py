@@ -920,8 +920,8 @@ def haptic_faults():
         "std::max(around * step, farthest);", (("haptics", "CarriedProxy.*"),))
     yield Fault(
         "contact_ends_with_the_region", "haptics", tracker,
-        "!carries_on_ && !near_.has(told.geom) &&\n           (told.touch.point - searched.centre).norm() < searched.radius;",
-        "!near_.has(told.geom);",
+        "!carries_on_ && !near_.has(reported.geom) &&\n           (reported.touch.point - searched.centre).norm() < searched.radius;",
+        "!near_.has(reported.geom);",
         (("haptics", "*ReleasedForceTest.Fades*"),))
     yield Fault(
         "budget_of_triangles_not_spent", "haptics", slide, "left_ -= most - budget.left();", "", (("haptics", "*SlideBudgetTest.*"),))

@@ -1,4 +1,4 @@
-// What two threads hand to each other without ever waiting: the latest value, or all values in their order.
+// Wait-free exchange between two threads: the latest value, or all values in their order.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_EXCHANGE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_EXCHANGE_H
@@ -10,23 +10,23 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The latest of the values that one thread publishes, for one other thread: a triple buffer.
+/// Triple buffer: the latest of the values that one thread publishes, for one other thread.
 ///
-/// Three slots: the writer's draft, the reader's copy, and one in the middle. Publishing and taking swap their own slot with
-/// the middle one, so that neither thread ever waits, and neither ever sees half a value. A value that is published before
-/// the one in front of it was taken replaces it.
+/// Of three slots, one is the writer's draft, one the reader's copy, and one between them. Publishing and taking swap
+/// the own slot with the middle one, so no thread waits or sees a partial value. A new value replaces one that was not
+/// taken.
 template <typename Value> class Snapshot
 {
 public:
-    /// The writer's alone. Holds an older value until it is written anew.
+    /// For the writer: the next value; it holds an older one until it is overwritten.
     Value &draft() { return slots_[draft_]; }
 
-    /// Of the writer: the draft becomes the latest value.
+    /// For the writer: the draft becomes the latest value.
     void publish() { draft_ = middle_.exchange(draft_ | fresh, std::memory_order_acq_rel) & ~fresh; }
 
-    /// Of the reader: latest() becomes the value that was published last.
+    /// For the reader: latest() becomes the last published value.
     ///
-    /// @return whether there was a new one.
+    /// @return whether it is a new one.
     bool take()
     {
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0)
@@ -35,11 +35,11 @@ public:
         return true;
     }
 
-    /// The reader's alone: what it took last; before that, a value as its constructor made it.
+    /// For the reader: the value of the last take(); before that, a default-constructed one.
     const Value &latest() const { return slots_[latest_]; }
 
 private:
-    static constexpr unsigned fresh = 4; ///< flag beside the number of the middle slot: the reader does not know it yet
+    static constexpr unsigned fresh = 4; ///< flag of a middle slot that the reader has not taken
 
     std::array<Value, 3> slots_{};
     unsigned draft_ = 0;
@@ -47,14 +47,14 @@ private:
     alignas(64) std::atomic<unsigned> middle_{2};
 };
 
-/// All values that one thread gives to one other thread, in their order: a ring.
+/// Ring buffer: all values that one thread gives to one other thread, in their order.
 template <typename Value> class Queue
 {
 public:
-    /// @param capacity how many values can be on their way, >= 1.
+    /// @param capacity maximum number of queued values, >= 1. Allocates.
     explicit Queue(std::size_t capacity) : ring_(capacity + 1) {}
 
-    /// Of the giver: how many more values there is room for, at least.
+    /// For the giver: the minimum number of free places.
     std::size_t room() const
     {
         const std::size_t next = next_.load(std::memory_order_relaxed);
@@ -62,9 +62,9 @@ public:
         return (first + ring_.size() - next - 1) % ring_.size();
     }
 
-    /// Of the giver.
+    /// For the giver: appends a value.
     ///
-    /// @return false, and the value is not given, when there is no room.
+    /// @return false, without an effect, when the queue is full.
     bool give(const Value &value)
     {
         if (room() == 0)
@@ -75,9 +75,9 @@ public:
         return true;
     }
 
-    /// Of the receiver.
+    /// For the receiver: removes the first value.
     ///
-    /// @return false, and the value is left alone, when there is none.
+    /// @return false, with the value unchanged, when the queue is empty.
     bool receive(Value &value)
     {
         const std::size_t first = first_.load(std::memory_order_relaxed);
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    std::vector<Value> ring_; ///< one slot more than the capacity: full and empty differ
+    std::vector<Value> ring_; ///< capacity + 1 slots, to distinguish full from empty
     alignas(64) std::atomic<std::size_t> first_{0};
     alignas(64) std::atomic<std::size_t> next_{0};
 };

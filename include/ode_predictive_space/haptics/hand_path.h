@@ -1,4 +1,4 @@
-// A hand that moves a haptic probe by reaches of least jerk, with tremor: its path, and the device that it holds.
+// A simulated hand that makes reaches of minimum jerk, with tremor, and the device that it holds.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_HAND_PATH_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_HAND_PATH_H
@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What the hand does, in its own size; `scale` maps it into the device's workspace, or into a scene.
+/// Motion of the hand in its own size; `scale` maps it into the device's workspace or a scene.
 struct HandPathSettings
 {
     Vector3 centre = Vector3::Zero(); ///< middle of the workspace, metres
@@ -21,38 +21,30 @@ struct HandPathSettings
     double longest_reach = 0.3;       ///< metres of the hand
     double shortest_time = 0.3;       ///< seconds, for the shortest reach
     double longest_time = 0.8;        ///< seconds, for the longest reach
-    double longest_pause = 0.2;       ///< seconds; between two reaches the hand rests up to this long
+    double longest_pause = 0.2;       ///< seconds; maximum pause between two reaches
     double tremor = 0.0002;           ///< largest tremor along each axis, metres of the hand
 };
 
 /// Position of the hand at any time.
 ///
-/// A reach from A to B in time T follows A + (B - A) (10 u^3 - 15 u^4 + 6 u^5), u = t / T: the movement of least jerk,
-/// which is how people reach (Flash and Hogan, 1985). It starts and ends at rest. Tremor is the sum of two sines of 8 to
-/// 12 Hz along each axis.
+/// A reach from A to B in time T follows A + (B - A) (10 u^3 - 15 u^4 + 6 u^5), u = t / T: the minimum-jerk motion of
+/// people (Flash and Hogan, 1985), from rest to rest. Tremor is the sum of two sines of 8 to 12 Hz along each axis.
 class HandPath
 {
 public:
-    /// The same settings and seed give the same path.
+    /// Equal settings and seeds give equal paths.
     HandPath(const HandPathSettings &settings, std::uint64_t seed);
 
-    /// Where the hand is `time` seconds after the start, in metres. Not const: reaches are drawn as they are needed, up to
-    /// the latest time that was asked for.
+    /// The position, m, at `time` (s) after the start. Not const, because it generates reaches up to that time.
     Vector3 position(double time);
 
-    /// position() without tremor.
-    Vector3 intended_position(double time);
-
-    /// The derivative of position(), in m/s.
+    /// The derivative of position(), m/s.
     Vector3 velocity(double time);
 
-    /// Start and end of the reach, or the pause after it, that the hand makes at this time, in seconds.
-    std::array<double, 2> reach_times(double time);
-
-    /// Draw the reaches of the first `seconds` now: until then, the other calls need no memory.
+    /// Generates the reaches of the first `seconds` now, so that calls up to that time do not allocate.
     void draw_ahead(double seconds = 600);
 
-    /// Nothing that position() returns is farther from the centre than this along any axis, metres.
+    /// The bound, m, of the distance of position() from the centre along each axis.
     double half_extent() const;
 
 private:
@@ -81,7 +73,7 @@ private:
     std::vector<Reach> reaches_; ///< in the order of time, without gaps
 };
 
-/// The handle follows a HandPath. Forces are accepted and have no effect: see VirtualDevice for a hand that gives way.
+/// A device whose handle follows a HandPath. Forces have no effect: see VirtualDevice for a hand that yields.
 class HandPathDevice : public SoftwareDevice
 {
 public:

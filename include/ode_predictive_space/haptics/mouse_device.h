@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// How pointer and wheel become a motion of the handle.
+/// Mapping of pointer and wheel to the handle.
 struct MouseSettings
 {
     Eigen::AlignedBox3d workspace{Vector3::Constant(-0.1), Vector3::Constant(0.1)}; ///< m; the handle stays in it
@@ -18,23 +18,23 @@ struct MouseSettings
     double smoothing = 0.015; ///< s, > 0; time constant of each of the two filters
 };
 
-/// The window's thread feeds events in, the servo loop's thread reads; neither waits for the other. Events come 60 to 125
-/// times a second, by jumps: two low-pass filters of first order, one behind the other, make a smooth motion of them, whose
-/// velocity is its derivative, without steps and never more than (size of the workspace) / smoothing. The handle lags
-/// behind the pointer by 2 * smoothing. It starts in the middle of the workspace. It renders no force.
+/// The window's thread feeds events, the servo's thread reads; neither waits. Events come in jumps, 60 to 125 times a
+/// second: two low-pass filters of first order in series make a smooth motion, whose velocity is its derivative and at
+/// most (size of the workspace) / smoothing. The handle lags behind the pointer by 2 * smoothing, and starts in the
+/// middle of the workspace. It renders no force.
 class MouseDevice : public SoftwareDevice
 {
 public:
     /// @throws std::invalid_argument for settings out of range.
     explicit MouseDevice(const MouseSettings &settings = {});
 
-    /// The pointer has moved by `dx` pixels to the right and `dy` down. What leads out of the workspace is lost.
+    /// Moves the handle by `dx` pixels to the right and `dy` down, within the workspace. From any thread.
     void pointer(double dx, double dy) noexcept;
 
-    /// The wheel has turned by `steps`, away from the person if > 0: so moves the handle.
+    /// Moves the handle by `steps` of the wheel, away from the person if > 0. From any thread.
     void wheel(double steps) noexcept;
 
-    /// Button `number` (0 ... 31, others are ignored) has been pressed or released.
+    /// Presses or releases button `number` (0 to 31; others are ignored). From any thread.
     void button(int number, bool down) noexcept;
 
 protected:
@@ -45,7 +45,7 @@ private:
     void shift(int axis, double distance) noexcept;
 
     MouseSettings settings_;
-    std::atomic<double> target_[3]; ///< m; what the events add up to
+    std::atomic<double> target_[3]; ///< m; sum of the events
     std::atomic<std::uint32_t> buttons_{0};
     Vector3 between_;  ///< m; after the first filter
     Vector3 position_; ///< m; after the second

@@ -7,19 +7,20 @@
 
 namespace ode_predictive_space::haptics
 {
-/// F = k d n for each touch: stiffness times depth, along the normal; exactly that when damping and friction are 0. All three
-/// are the touch's material's. d is the depth, or the plane's part of the shortest way out of an object that has several.
+/// F = k d n for each touch (Vogiannou et al.): stiffness times depth along the normal, exactly so without damping and
+/// friction. The touch's material has all three. With several planes of an object, d is the plane's part of the
+/// shortest displacement out of it.
 ///
-/// Damping adds b times the speed at which tool and surface approach each other (Kelvin and Voigt). Where that would pull, on
-/// leaving a surface quickly, there is no force.
+/// Damping adds b times the speed of approach of tool and surface (Kelvin-Voigt). A negative sum becomes zero, so that
+/// a surface never pulls.
 ///
-/// Friction is a spring of the same stiffness in the tangent plane, from the surface to the tool. It slips when it would pull
-/// by more than static friction times the normal force, and then pulls by friction times it until that holds it again (Hayward
-/// and Armstrong, "A new computational model of friction applied to haptic rendering", 2000). It works on displacements, not
-/// on the sign of a measured velocity, hence it neither chatters nor creeps. The tool is a point to friction.
+/// Friction is a spring of the same stiffness in the tangent plane. It slips above static friction times the normal
+/// force, and then pulls with friction times the normal force until it holds again (Hayward and Armstrong, "A new
+/// computational model of friction applied to haptic rendering", 2000). It uses displacements instead of the sign of a
+/// measured velocity, so it neither chatters nor creeps. Friction treats the tool as a point.
 ///
-/// Objects know nothing of each other: in a notch between two of them, each pushes as if it were alone. But touches of objects
-/// that go on in one plane count once: flush tiles are one floor. The proxy law is right in both.
+/// Objects are independent: in a notch between two of them, and at the seam of two tiles, each pushes as if it were
+/// alone. The proxy law is correct in both.
 class PenaltyLaw final : public ForceLaw
 {
 public:
@@ -32,7 +33,7 @@ public:
     const char *name() const override { return "penalty"; }
 
 private:
-    /// Where friction's spring hangs: how far the tool has moved over the surface of an object since it took hold.
+    /// Friction's spring: the displacement of the tool over a surface since it held.
     struct Hold
     {
         std::uint32_t touch; // Touch::id

@@ -1,4 +1,4 @@
-// The god object: a point that stays outside of what the tool is in.
+// The proxy law: a god object, which stays outside of all surfaces.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROXY_LAW_H
@@ -7,21 +7,20 @@
 
 namespace ode_predictive_space::haptics
 {
-/// F = k (proxy - tool). The proxy is where the tool would be if no surface could be entered: the point nearest to it that no
-/// touch forbids (Zilles and Salisbury, "A constraint-based god-object method for haptic display", 1995). A touch forbids what
-/// is behind the plane that lies its depth above the tool, along its normal.
+/// F = k (proxy - tool). The proxy is the allowed point nearest to the tool (Zilles and Salisbury, "A constraint-based
+/// god-object method for haptic display", 1995). A touch forbids the points behind the plane at its depth above the
+/// tool, along its normal.
 ///
-/// Up to three planes carry the proxy (a face, an edge, a corner). Each pushes along its own normal by what it contributes, with
-/// the stiffness of its own material, so that the parts add up and every object feels its own: k d n on one plane without
-/// friction. Where no point is allowed (a slit narrower than the tool), or only one that is unreasonably far (a very sharp
-/// wedge), each plane pushes by k d n as if it were alone.
+/// Up to three planes carry the proxy (a face, an edge, a corner). Each pushes along its normal by its share, with the
+/// stiffness of its material: k d n on a single plane without friction. Without an allowed point (a slit narrower than
+/// the tool), or with a very far one (a sharp wedge), each plane pushes by k d n alone.
 ///
-/// Friction: the proxy stays on the surfaces, and moves with them, as long as the tool is in the cone of static friction below
-/// it; else it follows just to the edge of the cone of friction (Salisbury and Tarr 1997; Harwin and Melder 2002). Damping acts
-/// along each carrying plane's normal, and never pulls; it is not part of proxy().
+/// Friction: the proxy stays on the surfaces, and moves with them, while the tool is in the cone of static friction
+/// below it; otherwise it follows to the edge of the cone of friction (Salisbury and Tarr 1997; Harwin and Melder
+/// 2002). Damping acts along the normals of carrying planes, and never pulls; it does not move proxy().
 ///
-/// Where a touch does not know by which side the tool came in (Touch::from_entry_side), and the tool has gone so far into a thin
-/// object that its back is nearer, the front keeps pushing until the tool leaves the object.
+/// If a touch does not have the side of entry (Touch::from_entry_side), and the back of a thin object becomes nearer,
+/// the front keeps pushing until the tool leaves the object.
 class ProxyLaw final : public ForceLaw
 {
 public:
@@ -34,7 +33,7 @@ public:
     Material material() const override { return material_; }
     const char *name() const override { return "proxy"; }
 
-    /// m, in the scene's frame; where the last call left it. The tool's position when nothing is touched.
+    /// The proxy of the last forces(), m, in the scene's frame; equal to the tool without a touch.
     const Vector3 &proxy() const { return proxy_; }
 
 private:

@@ -1,4 +1,4 @@
-// The hand's side of a probe: from the device to the tool, from touches to the device.
+// The hand's side of a probe: reads the device, and renders touches.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERER_H
@@ -15,152 +15,140 @@ namespace ode_predictive_space::haptics
 {
 class DeviceGate;
 
-/// How a device is rendered to.
+/// Settings of a renderer.
 struct RenderSettings
 {
-    /// 0: ProxyLaw with what is half of the device's stiffness in the hand, 500 N/m if that is not known.
+    /// 0: ProxyLaw with half of the device's stiffness in the hand, or 500 N/m.
     std::shared_ptr<ForceLaw> law;
     WorkspacePlacement placement;          ///< of the device's workspace in the scene
-    std::optional<SafetyLimits> safety;    ///< nothing: SafetyLimits::of() the device
-    double rate = 1000;                    ///< Hz; how often the device is read and written
-    double physics_rate = 1000;            ///< Hz; how often the scene is stepped
-    std::optional<double> device_damping;  ///< N s/m; of device and hand, where it is known: see check_stability()
-    std::optional<double> delay;           ///< s; as Capabilities::delay, where it is known better than by the device
-    std::optional<unsigned> clutch_button; ///< which of the device's buttons moves the workspace instead of the tool
-    bool passivity_control = false;        ///< whether damping is added when energy comes from nowhere
-    NoticeSink notice;                     ///< what to do with messages; by default nothing
+    std::optional<SafetyLimits> safety;    ///< default: SafetyLimits::of() the device
+    double rate = 1000;                    ///< Hz; of reads and writes of the device
+    double physics_rate = 1000;            ///< Hz; of steps of the scene
+    std::optional<double> device_damping;  ///< N s/m; of device and hand, if known: see check_stability()
+    std::optional<double> delay;           ///< s; replaces Capabilities::delay
+    std::optional<unsigned> clutch_button; ///< button that moves the workspace instead of the tool
+    bool passivity_control = false;        ///< adds damping when energy is created (Hannaford and Ryu, 2002)
+    NoticeSink notice;                     ///< sink of notices; may be empty
 };
 
-/// What was rendered in a tick: for recordings, and for who wants to show it.
+/// The result of a tick, for recordings and displays.
 struct RenderedTick
 {
-    double time = 0;                  ///< s; as given
-    ToolState tool;                   ///< the scene's frame
-    DeviceState state;                ///< the device's frame; as read, or before when it was not
-    Wrench wrench;                    ///< the device's frame; as written
-    Vector3 wished = Vector3::Zero(); ///< N, the scene's frame; what the law gave
-    Vector3 force = Vector3::Zero();  ///< N, the scene's frame; what the hand got of it
-    double allowance = 0;             ///< 0 to 1; the watchdog's
-    bool device_answers = false;      ///< what it told is in its range and not too old
-    bool saturated = false;           ///< the safety stage had to shorten the force
-    int tool_jumps = 0;               ///< how often the tool was put elsewhere by more than the hand's motion
+    double time = 0;                     ///< s; as given
+    ToolState tool;                      ///< the scene's frame
+    DeviceState state;                   ///< device's frame; last valid read
+    Wrench wrench;                       ///< device's frame; as written
+    Vector3 requested = Vector3::Zero(); ///< N, scene's frame; of the law
+    Vector3 force = Vector3::Zero();     ///< N, scene's frame; the written part of it
+    double allowance = 0;                ///< 0 to 1; the watchdog's
+    bool device_answers = false;         ///< its state is plausible and not too old
+    bool saturated = false;              ///< the safety stage clamped the force
+    int tool_jumps = 0;                  ///< number of jumps of the tool beyond the hand's motion
 };
 
-/// Device, workspace, law, safety, watchdog: all that needs no scene. Used from one thread, the servo's; nothing in it
-/// allocates or locks as long as the device answers.
+/// Device, workspace, law, safety and watchdog: the parts without a scene. For one thread, the servo's; neither
+/// allocates nor locks while the device answers.
 ///
-/// Errors of the device never leave it: there is zero force, a notice, and the device is tried again ten times a second. One that
-/// does not even take the zero is closed; the program may open it again at any time between two ticks.
+/// Errors of the device cause zero force and a notice instead of an exception, and the device is tried again ten times
+/// a second. A device that refuses zero is closed; the program may open it again between two ticks.
 class Renderer
 {
 public:
-    /// Opens the device unless it is open. What the law wants to be stiffer than check_stability() allows is rendered softer, with a notice.
+    /// Opens the device unless it is open. A law that is stiffer than check_stability() allows is rendered softer, with
+    /// a notice.
     ///
-    /// @param device is not owned, and must outlive the renderer.
+    /// @param device not owned; must outlive the renderer.
     /// @throws DeviceError as Device::open() does.
     /// @throws std::logic_error when another renderer has the device.
-    /// @throws std::invalid_argument for a law, a setting or a rate with which nothing sensible can be rendered.
+    /// @throws std::invalid_argument for a law, a setting or a rate that is not valid.
     Renderer(Device &device, RenderSettings settings);
 
-    /// Leaves the device with zero force, and closes it if it was opened here.
+    /// Sets zero force, and closes a device that was opened here.
     ~Renderer();
     Renderer(const Renderer &) = delete;
     Renderer &operator=(const Renderer &) = delete;
 
-    /// A tick begins: read the device. Then tool() is where the tool is now.
+    /// Begins a tick: reads the device, and updates tool().
     ///
-    /// @param time s; simulated. Devices without hardware, law and safety stage go by it.
-    /// @param clock_time s; on the clock that physics_fresh() has, too: the watchdog goes by it.
+    /// @param time s; simulated, for simulated devices and the safety stage.
+    /// @param clock_time s; on the watchdog's clock, which physics_fresh() uses, too.
     void read(double time, double clock_time);
 
-    /// Where the tool is since the last read().
+    /// The tool in the scene, as of the last read().
     const ToolState &tool() const;
 
-    /// Render what is touched, with the law.
+    /// Renders touches with the law.
     ///
-    /// @param all_known whether the touches are all there are: false when one of them is not a number. Then there is no force.
+    /// @param all_known false when a touch is missing because it is not finite, which causes zero force.
     /// @param dt s from this tick to the next, > 0.
     void render(const std::vector<Touch> &touches, bool all_known, double dt);
 
-    /// What the hand really got of each object in the last render(): N, the scene's frame. The sum is the force that was
-    /// written, whatever limits shortened it, as long as something is touched. An object that was left may still be in it:
-    /// the force that the safety stage takes away slowly belongs to it. Empty when there was no force.
+    /// Each object's part of the force that the last render() wrote, N, the scene's frame. The sum is the written
+    /// force. A former object may be included while its force fades. Empty without a force.
     const std::vector<ForceShare> &shares() const;
 
-    /// Render a coupling to a tool body, as stiff as the device can.
+    /// Renders a coupling to a tool body, limited by check_stability().
     ///
-    /// @return what the body is to get: the opposite of what the hand really got, in the scene's frame. A torque that the device
-    ///         cannot render is not felt, but still turns the body.
+    /// @return the wrench on the body: the opposite of the written wrench, in the scene's frame, and the full torque
+    ///         for a device without torque.
     Wrench render(const CouplingProperties &coupling, const ToolState &body, double dt);
 
-    /// No force, now: at the end. The next force comes slowly, as at the start. Calls nothing but the device.
+    /// Sets zero force now. The next force is ramped, as at the start. Calls only the device.
     void relax() noexcept;
 
-    /// The scene's state is as of the last read().
+    /// Notes that the scene's state is as of the last read().
     void note_fresh_physics();
 
-    /// The scene's state is as of this time, on the watchdog's clock. From any thread.
+    /// Notes that the scene's state is as of this time (s), on the watchdog's clock. From any thread.
     void physics_fresh(double clock_time);
 
-    /// Of the servo: the tick that was rendered last.
+    /// The last rendered tick. For the servo's thread.
     const RenderedTick &last_tick() const;
 
-    /// The default law is another one after set_placement().
+    /// The law; set_placement() and set_rates() replace the default one.
     ForceLaw &law();
 
-    /// What the device can render of a material of the scene: the same, or with less stiffness or damping. This is what the law gets
-    /// with each touch, as scale and rate are now.
+    /// The material with stiffness and damping limited to the device's, at the present scale and rate, as the law gets
+    /// it.
     Material rendered(const Material &material) const;
 
-    /// Between two ticks: another law, after check_stability().
+    /// Replaces the law, after check_stability(). Between two ticks.
     /// @throws std::invalid_argument as the constructor does.
     void set_law(std::shared_ptr<ForceLaw> law);
 
-    /// s; from a position to the force that answers it, beyond the loop's own period: what the settings say, or else the device; or
-    /// more, if the time stamps of its states are older. What is stiff depends on it.
-    double delay() const;
-
-    /// For virtual couplings, as set_law() for laws: says what render() makes softer.
+    /// Checks a virtual coupling, with a notice if render() will make it softer.
     /// @throws std::invalid_argument when a property is negative or not finite, or the damping cannot be rendered.
     void check(const CouplingProperties &coupling);
 
-    /// Between two ticks; the force comes back slowly. @throws std::invalid_argument as the constructor does: what is stiff depends
-    /// on the scale.
+    /// Replaces the placement; the force is ramped. Between two ticks. @throws std::invalid_argument as the constructor
+    /// does, because stiffness depends on the scale.
     void set_placement(const WorkspacePlacement &placement);
 
-    /// The device's base has moved in the scene, and the tool with it, as if the hand had carried it there: what the tool meets on the way
-    /// holds it, and clutch and grip stay. From the scene's thread, once per step. The servo takes the base there within the time of a
-    /// step of the scene, evenly.
+    /// Moves the device's base in the scene, and the tool with it, as if the hand carried it: obstacles hold the tool,
+    /// and clutch and grip are kept. For the scene's thread, once per step. The servo moves the base there evenly
+    /// within a step of the scene.
     ///
-    /// @param motion with which it moves; zero from the last call on.
-    /// @throws std::invalid_argument as the constructor does, and when a scale is not that of set_placement().
+    /// @param motion velocity of the base; zero in the last call.
+    /// @throws std::invalid_argument as the constructor does, and for a scale that differs from that of
+    ///         set_placement().
     void move_base(const WorkspacePlacement &placement, const BaseMotion &motion);
 
-    /// Between the device's frame and the scene's.
+    /// The mapping between the frames of device and scene.
     const WorkspaceMapping &mapping() const;
 
-    /// Between two ticks: how often the device is read and written, and the scene is stepped, in Hz.
-    /// @throws std::invalid_argument as the constructor does: what is stiff depends on the rate.
+    /// Sets the rates (Hz) of the device and of the scene. Between two ticks.
+    /// @throws std::invalid_argument as the constructor does, because stiffness depends on the rate.
     void set_rates(double rate, double physics_rate);
 
-    /// Called at the end of each render(). Empty: nothing.
+    /// Sets a function that each render() calls at its end, or an empty one.
     void set_recorder(std::function<void(const RenderedTick &)> recorder);
 
-    /// Where notices go; in the thread of the call that has something to tell.
+    /// Sets the sink of notices, which is called in the thread of the call that sends one.
     void set_notice_sink(NoticeSink sink);
-    /// The same.
+    /// The sink of notices; may be empty.
     const NoticeSink &notice_sink() const;
 
-    /// What the safety stage did in the last tick and so far.
-    const SafetyReport &safety_report() const;
-
-    /// Tell now what was held back because it had just been told: at the end of a run.
-    void tell_held_back();
-
-    /// How many notices were held back, so far. Those of a second are told as one, with their number.
-    std::uint64_t held_back() const;
-
-    /// For the guard of a loop.
+    /// The gate of the device, for the guard of a loop.
     DeviceGate &gate();
 
 private:

@@ -1,4 +1,4 @@
-// The probe's place in an ODE world.
+// The probe's geom in an ODE world.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_SENSOR_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TOUCH_SENSOR_H
@@ -17,38 +17,39 @@ namespace ode_predictive_space::haptics
 {
 class ContactTracker;
 
-/// What a geom is made of; nothing: what the force law says.
+/// Returns the material of a geom, or nothing for the force law's.
 using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
 
-/// A geom that follows the hand, tells what it touches, and pushes what it touches. In a predictive space it gets the interactive
-/// role. Which geoms it cannot touch is set as everywhere in ODE, by dGeomSetCategoryBits() and dGeomSetCollideBits().
+/// A geom that follows the hand, reports its touches, and pushes the touched bodies. In a predictive space it has the
+/// interactive role. dGeomSetCategoryBits() and dGeomSetCollideBits() select its pairs.
 ///
-/// Each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback, push(). In between the
-/// program may destroy anything except this geom: what is gone is not pushed.
+/// Call order in each tick: clear(), pose(), the program's dSpaceCollide() with touch() in its near callback,
+/// touches(), push(). In between the program may destroy all objects except this geom. For one thread.
 ///
-/// The sphere that the sensor makes holds to boxes, spheres, capsules, cylinders, planes, triangle meshes and, with set_samples(),
-/// heightfields: it is touched from the side by which the tool came, until it comes back through there, however thin the
-/// object, fast the tool, or deep it is. What the near callback does not tell of any more is released, and so is a mesh with
-/// other triangles. All else is touched as dCollide() says at the moment, and so is all that a geom of the program touches.
+/// The sensor's sphere keeps the side of entry of boxes, spheres, capsules, cylinders, planes, triangle meshes and,
+/// with set_samples(), heightfields until the tool comes back out there, for any thickness, speed and depth. Geoms that
+/// the near callback no longer reports are released, and so are meshes with changed triangles. Other geoms are
+/// represented by the plane through the point that dCollide() finds nearest to the proxy. A geom of the program has no
+/// proxy, and uses the contacts of dCollide().
 ///
-/// What the sensor is in when it begins, or begins elsewhere, is not touched until the sensor has been outside of it once.
-/// The same holds for a solid that appears around the sphere and holds all of it, and for a mesh that holds its middle.
+/// A geom that contains the sensor at its beginning, or after a jump, is not touched until the sensor has been outside.
+/// So is a solid that appears around the whole sphere, and a mesh that appears around its centre.
 class TouchSensor
 {
 public:
     /// Makes a sphere.
     ///
-    /// @param space is not owned, and must outlive the sensor.
+    /// @param space not owned; must outlive the sensor.
     /// @param radius m, > 0.
-    /// @throws std::invalid_argument when the radius or the space is not one.
+    /// @throws std::invalid_argument for a radius or a space that is not valid.
     TouchSensor(dSpaceID space, double radius);
 
-    /// A geom of the program: of any class but planes and spaces, and without a body.
+    /// Uses a geom of the program: of any class but planes and spaces, and without a body.
     ///
-    /// A disabled sphere without size is put beside it into its space: ODE does not tell when a space is destroyed with its geoms, but
-    /// this sphere tells it. The destruction of the geom alone cannot be found out.
+    /// Adds a disabled sphere without size to its space, which detects the destruction of the space. The destruction of
+    /// the geom alone cannot be detected.
     ///
-    /// @param geom is not owned, and must outlive the sensor. Its space stays the same.
+    /// @param geom not owned; must outlive the sensor, in the same space.
     /// @throws std::invalid_argument when it is 0, has a body, or cannot be placed.
     explicit TouchSensor(dGeomID geom);
 
@@ -56,99 +57,95 @@ public:
     TouchSensor(const TouchSensor &) = delete;
     TouchSensor &operator=(const TouchSensor &) = delete;
 
-    /// Whether its geom was destroyed with its space: nothing is touched then.
+    /// Whether its geom was destroyed with its space, so that nothing is touched.
     bool is_gone() const;
 
-    /// 0 when it is gone. A sphere that the sensor makes has the place and size of the region in which it looks for what it can
-    /// touch: larger than the tool while the tool moves or is pressed into something.
+    /// The geom; 0 when it is gone. The sensor's sphere covers the region of the search: it is larger than the tool
+    /// while the tool moves or presses.
     dGeomID geom() const;
 
-    /// Notice what comes near before it is touched: touches() then has what is up to this far away, too, with a negative
-    /// depth. Works for the sphere that the sensor makes, which grows by that; other geoms notice nothing before they touch it.
+    /// Adds surfaces up to this distance to touches(), with a negative depth. For the sensor's sphere, which grows by
+    /// it.
     ///
     /// @param margin m, >= 0.
     void set_margin(double margin);
 
-    /// Which touches to tell of: the force law's view().
+    /// Sets the force law's view().
     void set_view(TouchView view);
 
-    /// N/m; the force law's: of what has no material of its own.
+    /// Sets the force law's stiffness, N/m, for objects without a material.
     void set_stiffness(double stiffness);
 
-    /// What to ask for the materials of what is touched, in touch(). Empty: nothing.
+    /// Sets the function for materials, which touch() calls; may be empty.
     void set_materials(MaterialOf materials);
 
-    /// Read a mesh now rather than when the probe first comes near it: a hundred thousand triangles take some 0.1 s. A mesh that was
-    /// not prepared is read in parts while it is near, and touched as dCollide() says until it has been read.
+    /// Reads a mesh now: a hundred thousand triangles take some 0.1 s. A mesh that was not prepared is read in parts
+    /// while it is near, and until then represented by a plane from dCollide().
     void prepare(dGeomID mesh);
 
-    /// Whether a mesh that is near has not been read yet.
+    /// Whether a near mesh is still being read.
     bool is_reading() const;
 
-    /// The same for all meshes that there are in the sensor's space, in those within it, and in those that it is in. Loops
-    /// do this before they begin. Meshes in ODE's quadtree spaces, which cannot list their geoms, are read when they are
-    /// first touched.
+    /// Reads all meshes in the sensor's outermost space and the spaces in it, as loops do before they begin; except in
+    /// ODE's quadtree spaces, which cannot list their geoms.
     void prepare_all();
 
-    /// The triangles behind this id have changed in place. They are compared from tick to tick, too: those that are touched
-    /// at once, the others in turn, eight at a time.
+    /// Drops the copy of triangles that have changed in place. Each tick also compares the touched triangles and eight
+    /// others.
     void forget_mesh(dTriMeshDataID data);
 
-    /// Hold to a heightfield as to a mesh: to all geoms of this data, until forget_samples(). ODE does not give its samples
-    /// back, so that the program has to. Samples of other heights end a contact. Of a field that
-    /// repeats itself without end, one period.
+    /// Treats all geoms of a heightfield's data as a mesh, until forget_samples(). ODE gives no access to samples, so
+    /// the program has to. Other samples end a contact. An infinite field needs one period.
     ///
-    /// @param samples are copied.
-    /// @throws std::invalid_argument when they make no field.
+    /// @param samples copied.
+    /// @throws std::invalid_argument for samples that are not a field.
     void set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples);
 
-    /// To be called before the data is destroyed: ODE may use its id again.
+    /// Forgets samples. Call it before the data is destroyed, because ODE may reuse its id.
     void forget_samples(dHeightfieldDataID data);
 
-    /// The tool was put somewhere else, and nothing lies between: what is entered from now on is entered from there.
+    /// Forgets the sides of entry, because the tool was put elsewhere.
     void forget_sides();
 
-    /// An exception came through dSpaceCollide(), and the geom is in one of ODE's own spaces, which stays locked from then on.
-    /// The geom is not touched any more: it is disabled, and stays in its space when the sensor goes. In predictive spaces
-    /// there is nothing to do.
+    /// Leaves the geom in a space of ODE that an exception through dSpaceCollide() has locked: the geom is disabled,
+    /// and remains after the sensor. No effect in predictive spaces.
     void abandon_locked_space();
 
-    /// s; how much time passes from one dSpaceCollide() to the next, as far as it is known: what came by its own motion is told
-    /// from what appeared by that.
+    /// Sets the time (s) from one dSpaceCollide() to the next, which distinguishes moving geoms from geoms that appear.
     void set_tick_length(double seconds);
 
-    /// Forget the touches.
+    /// Begins a tick: forgets the touches.
     void clear();
 
-    /// Move the geom to the tool. One that stays where it is is left alone, so that the space has nothing to do with it.
+    /// Moves the geom to the tool. A geom that stays in place is not touched, to spare the space a notice.
     void pose(const ToolState &tool);
 
-    /// For the near callback: if the probe is one of the two, find out how deep it is in the other.
+    /// For the near callback: measures the contact of the probe with another geom.
     ///
-    /// @return true when this pair has been dealt with: one of the two is the probe, the other one no space.
+    /// @return true if one of the two is the probe and the other one is no space.
     bool touch(dGeomID first, dGeomID second);
 
-    /// What is touched since clear(). An object is a body with all its geoms, or a geom without a body. Of what only
-    /// dCollide() knows, the deepest contact with each object.
+    /// The touches since clear(). An object is a body with all its geoms, or a geom without a body. A geom of the
+    /// program has the deepest contact with each object.
     const std::vector<Touch> &touches();
 
-    /// Whether dCollide(), a geom's place, a body's velocity or a material had something that is not a number since clear(). It is left out of
-    /// touches(), which are not all, then.
+    /// Whether a contact, a pose, a velocity or a material since clear() was not finite, so that touches() is
+    /// incomplete.
     bool saw_nonsense();
 
-    /// Whether there were more touches, or geoms near, than the touch_capacity since clear().
+    /// Whether touches or near geoms since clear() exceeded touch_capacity.
     bool exceeds_capacity();
 
-    /// The body of a touched object; 0 for one that has none, and for one that is gone.
+    /// The body of a touched object; 0 without one, and after its destruction.
     dBodyID body_of(std::uintptr_t object) const;
 
-    /// For loops that run in two threads: the contact of the sphere that the sensor makes, 0 for another geom.
+    /// The tracker of the sensor's sphere, for loops of two threads; 0 for other geoms.
     ContactTracker *tracker();
-    /// Of the sphere that the sensor makes, m.
+    /// The radius of the sensor's sphere, m.
     double radius() const;
 
-    /// Give each body the opposite of its share of the force on the hand, where it was touched. A disabled body that gets a
-    /// force is enabled. Objects without a body are left alone, and so are bodies that are gone.
+    /// Adds the opposite of each share to its body at the touched point, and enables disabled bodies. Ignores objects
+    /// without a body, and destroyed bodies.
     void push(const std::vector<ForceShare> &shares);
 
 private:
@@ -156,13 +153,13 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// What a body's motion is to force laws.
+/// The motion of a body.
 ToolState tool_state_of(dBodyID body);
 
-/// dSpaceCollide() and dSpaceCollide2(), with a callback that may throw. ODE's own spaces stay locked for ever when an exception
-/// goes through them; these two keep it until ODE is done, without further calls of the callback, and throw it then.
+/// Calls dSpaceCollide() with a callback that may throw. An exception would leave ODE's own spaces locked, so it is
+/// kept until ODE has returned, without further callbacks, and then rethrown.
 void safe_collide(dSpaceID space, void *data, dNearCallback *callback);
-/// See safe_collide().
+/// Calls dSpaceCollide2() as safe_collide() does.
 void safe_collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
 } // namespace ode_predictive_space::haptics
 

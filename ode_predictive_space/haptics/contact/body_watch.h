@@ -11,27 +11,23 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Bodies that were touched lately, to be pushed if they are still there.
-///
-/// ODE does not tell when a body is destroyed, but it takes the body's joints off it. So each body in here gets a null joint,
-/// which constrains nothing and adds nothing to the world's equations; a joint without a body is a body that is gone.
+/// ODE does not report that a body is destroyed, but it detaches the body's joints. So each body gets a null joint,
+/// which adds no constraint; when the joint has no body, the body is gone.
 class BodyWatch
 {
 public:
-    /// A tick begins: what was not touched for long is forgotten.
+    /// Begins a tick: drops bodies that have not been touched for long.
     void age();
 
-    /// The body is touched now. Not while its world is stepped.
+    /// Notes that the body is touched now. Must not be called while its world is stepped.
     void keep(dBodyID body);
 
-    /// @param object the body's address, as Touch::object has it.
-    /// @return 0 when there is no such body: it is gone, or was never one.
+    /// @return 0 for a body that is gone or unknown.
     dBodyID find(std::uintptr_t object) const;
 
-    /// Add a force. A disabled body is enabled by it.
+    /// Adds a force, and enables a disabled body.
     ///
     /// @param arm m; from the body's centre of mass to where the force acts. The world's frame, as the force's.
-    /// @return false when find() finds nothing.
     bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &arm);
 
 private:
@@ -42,12 +38,12 @@ private:
 
     struct Watched
     {
-        /// Of the joint alone: what is in a group survives its world.
+        /// Holds the joint alone, because a joint in a group survives its world.
         std::unique_ptr<dxJointGroup, DestroyGroup> group;
         dJointID joint;
         int age; ///< ticks since it was touched
 
-        dBodyID body() const { return dJointGetBody(joint, 0); } ///< 0 when it is gone
+        dBodyID body() const { return dJointGetBody(joint, 0); }
     };
 
     std::vector<Watched> watched_;

@@ -13,9 +13,8 @@ constexpr double tolerances[] = {1e-9, 1e-6};   // of the deepest plane
 constexpr double farthest = 100;                // times the deepest plane; a groove of 1.15 degrees
 constexpr double smallest_squared_sine = 1e-10; // of two normals' angle; below, one plane stands for both
 constexpr double smallest_volume = 1e-9;        // of three normals
-constexpr int most_rounds = 64;                 // rounding could let the search go round in circles
+constexpr int most_rounds = 64;                 // rounding could make the search cycle
 
-/// Up to three planes that carry the proxy, and what each contributes.
 struct Carriers
 {
     std::array<std::size_t, 3> planes{};
@@ -26,8 +25,8 @@ struct Carriers
 
 using Planes = std::vector<ConstraintPlane>;
 
-/// The point on all of the carriers' planes nearest to the tool: the shares solve normal_i . sum(share_j normal_j) = depth_i.
-/// False when the normals are too nearly dependent.
+/// The point on all of the carriers' planes nearest to the tool: the shares solve normal_i . sum(share_j normal_j) =
+/// depth_i. @return false when the normals are too close to dependent.
 bool solve(const Planes &planes, Carriers &carriers)
 {
     const auto normal = [&](int i) -> const Vector3 & { return planes[carriers.planes[i]].normal; };
@@ -63,13 +62,12 @@ bool solve(const Planes &planes, Carriers &carriers)
     return true;
 }
 
-/// How far a point is behind a plane.
 double violation(const ConstraintPlane &plane, const Vector3 &point)
 {
     return plane.depth - plane.normal.dot(point);
 }
 
-/// Whether `added` and those of the carriers that a bit of `kept` stands for carry the proxy over the rest of the carriers, too.
+/// Whether `added` and the carriers whose bits are set in `kept` also satisfy the remaining carriers.
 bool try_carriers(const Planes &planes, const Carriers &carriers, unsigned kept, std::size_t added, double allowed,
                   Carriers &result)
 {
@@ -78,7 +76,7 @@ bool try_carriers(const Planes &planes, const Carriers &carriers, unsigned kept,
         if ((kept >> i) & 1u)
             result.planes[result.count++] = carriers.planes[i];
     if (result.count == 3)
-        return false; // no room for the added one
+        return false;
     result.planes[result.count++] = added;
 
     if (!solve(planes, result))
@@ -92,8 +90,8 @@ bool try_carriers(const Planes &planes, const Carriers &carriers, unsigned kept,
     return true;
 }
 
-/// The carriers among the carriers so far and one plane that they do not keep. There is one solution, if any: with at most four
-/// planes, trying all is the shortest way to it.
+/// Replaces the carriers by the solution among them and one violated plane. It is unique, and with at most four planes
+/// all combinations are tried.
 bool exchange(const Planes &planes, Carriers &carriers, std::size_t added, double allowed)
 {
     Carriers result;
@@ -106,10 +104,8 @@ bool exchange(const Planes &planes, Carriers &carriers, std::size_t added, doubl
     return false;
 }
 
-/// Each round takes in the plane that is kept least, and thereby lifts the point: an LP-type problem of dimension three
+/// Each round adds the plane that is violated most, which lifts the point: an LP-type problem of dimension three
 /// (Sharir and Welzl 1992).
-///
-/// @param tolerance of the deepest plane.
 std::optional<Carriers> find_carriers(const Planes &planes, double deepest, double tolerance)
 {
     const double allowed = tolerance * deepest;

@@ -10,11 +10,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double rise_time = 0.5;     // s; of an object that appeared around the tool
-constexpr double unnoticed = 1e-4;    // m; so deep a contact may begin,
-constexpr double of_the_motion = 3.0; // or by so many times the motion of tool and surface
+constexpr double rise_time = 0.5;     // s; until an object that appeared around the tool is rendered in full
+constexpr double unnoticed = 1e-4;    // m; the depth at which a contact may begin,
+constexpr double of_the_motion = 3.0; // or this multiple of the motion of tool and surface
 
-/// The part of a depth that is felt after a time dt: 0 to 1.
 double risen(double part, double dt)
 {
     return std::min(1.0, part + dt / rise_time);
@@ -25,11 +24,13 @@ ContactManifold::ContactManifold()
 {
     before_.reserve(touch_capacity);
     planes_.reserve(touch_capacity);
+    matched_.reserve(touch_capacity);
 }
 
 void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                              std::vector<Touch> &touches)
 {
+    matched_.assign(before_.size(), false);
     for (Touch &touch : touches)
         recognise(tool.position, view, dt, touch);
     note_lift(touches);
@@ -48,15 +49,14 @@ void ContactManifold::follow(const ToolState &tool, TouchView view, double dt, s
 
 void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch)
 {
-    const Touch *known = find_in(
-        before_, [&](const Touch &before) { return before.object == touch.object && before.feature == touch.feature; });
+    const Touch *known = known_before(touch);
     const Touch *carrier = known != nullptr && known->carry.carries() ? known : carrier_before(touch, view);
     touch.id = known != nullptr ? known->id : ++last_id_;
     touch.takes_over = carrier != nullptr ? carrier->id : 0;
     if (known == nullptr || touch.from_entry_side || view != TouchView::all_together ||
         !(known->normal.dot(touch.normal) < 0))
         return;
-    // The back of the object is nearer now: the tool came through it. The surface in front has moved with the object.
+    // The tool came through, so the back is nearer now. The front surface has moved with the object.
     const Vector3 &front = known->normal;
     const double height = front.dot(tool_before_) + known->depth + front.dot(touch.surface_velocity) * dt;
     const double depth = height - front.dot(tool);
@@ -67,8 +67,29 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
     }
 }
 
-/// Of those that carried the tool, the one whose normal is most like it. Objects that are felt as if there were no other take over
-/// from each other only where one goes on in the plane of the other.
+/// Of the object's touches in the tick before that no other touch has matched, the one whose normal agrees best. A touch without a side of entry may
+/// have changed the side, and is the only one of its object.
+const Touch *ContactManifold::known_before(const Touch &touch)
+{
+    std::size_t best = before_.size();
+    double agreement = touch.from_entry_side ? same_surface : -2;
+    for (std::size_t i = 0; i < before_.size(); ++i)
+    {
+        const double cosine = before_[i].normal.dot(touch.normal);
+        if (before_[i].object == touch.object && !matched_[i] && cosine > agreement)
+        {
+            best = i;
+            agreement = cosine;
+        }
+    }
+    if (best == before_.size())
+        return nullptr;
+    matched_[best] = true;
+    return &before_[best];
+}
+
+/// The touch of the tick before that carried the tool and whose normal agrees best. Objects that are felt alone take
+/// over from each other only where their surfaces lie in one plane.
 const Touch *ContactManifold::carrier_before(const Touch &touch, TouchView view) const
 {
     const Touch *best = nullptr;
@@ -92,7 +113,7 @@ const Touch *ContactManifold::taken_over_by(const Touch &touch) const
     return find_in(before_, [&](const Touch &known) { return known.id == touch.takes_over; });
 }
 
-/// m; how deep along the touch's normal the tool was, as far as it was felt, in what it touched before.
+/// m; the rendered depth of the former touches along the touch's normal.
 double ContactManifold::handed_over(const Touch &touch) const
 {
     double most = 0;
@@ -101,7 +122,7 @@ double ContactManifold::handed_over(const Touch &touch) const
     return most;
 }
 
-/// m/s; of what held the tool in the tick before, beside the tool.
+/// m/s; the largest speed, relative to the tool, of the surfaces that held it in the tick before.
 double ContactManifold::fastest_before(const ToolState &tool) const
 {
     double fastest = 0;
@@ -111,7 +132,7 @@ double ContactManifold::fastest_before(const ToolState &tool) const
     return fastest;
 }
 
-/// The smallest part of a touch that carried the tool in the tick before; 0 when there was none.
+/// The smallest part of the touches that carried the tool in the tick before; 0 without one.
 double ContactManifold::least_part_before() const
 {
     double least = 1;
@@ -124,7 +145,8 @@ double ContactManifold::least_part_before() const
     return carried ? least : 0;
 }
 
-/// Where each object is felt alone, its shares rise as its depths do. Together, objects with different parts have other shares.
+/// The shares of an object that is felt alone scale with its depths. The joint solution changes when the parts of
+/// objects differ.
 void ContactManifold::let_rise(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                                std::vector<Touch> &touches)
 {
@@ -149,9 +171,9 @@ void ContactManifold::note_lift(const std::vector<Touch> &touches)
     jump_ = (lift_ - before).norm();
 }
 
-/// An object rises as a whole: its touches have the same part. What a touch takes over from others lifts the proxy by little, however
-/// deep it is. If all touches together hold the tool where the former ones held it, but for their motion, new touches have taken over from the
-/// former.
+/// All touches of an object have the same part. A touch that takes over from others adds little lift, however deep it
+/// is. If all touches together hold the tool where the former ones held it, except for their motion, the new touches
+/// have taken over.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
     if (released_)
@@ -167,8 +189,8 @@ double ContactManifold::part_of(const Touch &touch, const ToolState &tool, doubl
     return carrier != nullptr ? risen(carrier->part, dt) : 1;
 }
 
-/// Divides the shortest way out of all planes of a group among these planes. If all objects hold the tool together, movable ones give way.
-/// The lag that the tracker found is divided in proportion to the shares.
+/// Solves the constraint of each group of touches. If all objects hold the tool together, movable ones yield. The lag
+/// that the tracker found is divided in proportion to the shares.
 void ContactManifold::solve(TouchView view, double dt, std::vector<Touch> &touches)
 {
     while (const Touch *first = find_in(touches, [](const Touch &touch) { return !touch.is_solved; }))

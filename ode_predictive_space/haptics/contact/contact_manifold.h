@@ -1,4 +1,4 @@
-// What is touched in a tick, as laws get it: which touch is which, and what holds the proxy off the tool.
+// The touches of a tick as laws get them: their identities, and the constraint that holds the proxy off the tool.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MANIFOLD_H
@@ -12,44 +12,40 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The cosine below which two planes are two surfaces. From facet to facet of one surface the normal turns by less than 60
-/// degrees, also around an edge that the tool crosses quickly; two walls of a channel, a floor and its wall differ by more.
+/// The cosine below which two planes are different surfaces. Between facets of one surface the normal turns by less
+/// than 60 degrees, even across an edge; a floor and its wall differ by more.
 constexpr double same_surface = 0.5;
 
-/// Whether the second is a place in the plane of the first. Bodies that rest beside each other differ by less than 0.02 mm, and a step of that
-/// height cannot be felt.
+/// Whether the second point lies in the plane of the first, within 0.02 mm: a step of that height cannot be felt.
 inline bool is_flush(const Vector3 &normal, const Vector3 &point, const Vector3 &other)
 {
     return std::abs(normal.dot(other - point)) <= 2e-5;
 }
 
-/// The one place where a touch is compared with those of the tick before, and where the constraint is solved for touches that the
-/// tracker did not make (see ContactTracker). What comes later goes by Touch::id, Touch::takes_over, Touch::part and Touch::carry.
+/// Compares touches with those of the tick before, and solves the constraint for touches that the ContactTracker did
+/// not make. All later stages use Touch::id, Touch::takes_over, Touch::part and Touch::carry.
 class ContactManifold
 {
 public:
     ContactManifold();
 
-    /// One tick. Gives each touch its id, what it takes over from, its part, its material (see blended()) and what it carries. Does
-    /// not allocate when it has seen as many touches before.
+    /// Processes a tick: sets each touch's id, takes_over, part, material (see blended()) and carry. Does not allocate
+    /// for a number of touches that it has seen before.
     ///
-    /// - A touch by which the tool is about to be pushed out at the back of a thin object is turned round to the side by which it
-    ///   came, if all objects are seen together.
-    /// - A contact begins at the surface and gets deeper by the motion of tool and surface. One that is deep from the beginning is an
-    ///   object that appeared around the probe: its surface comes up through the tool within half a second. What the tool goes on
-    ///   to from such an object rises on from there.
+    /// - If all objects are seen together, a touch that would push the tool out at the back of a thin object is turned
+    ///   to the side of entry.
+    /// - A contact that begins deeper than the motion of tool and surface explains belongs to an object that appeared
+    ///   around the probe: its force rises within half a second, and touches that take over from it continue the rise.
     ///
-    /// @param dt s; since the tick before.
-    /// @param gap s; how long a contact may have gone unnoticed; nothing: new touches are felt at once, however deep.
+    /// @param gap s; how long a contact may have gone unnoticed; without a value, new touches are rendered in full at
+    ///         once.
     void follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                 std::vector<Touch> &touches);
 
-    /// The clutch was released: the force of each object that the next follow() touches rises from zero, as that of an object which appeared around
-    /// the probe. There was no force on the hand before, so the full force of a deep touch would come at once. Objects that are touched later are
-    /// felt in full.
+    /// The clutch was released: the force of each object in the next follow() rises from zero, because the hand had no
+    /// force before. Objects that are touched later are rendered in full.
     void release() { released_ = true; }
 
-    /// Forget all touches: what is touched next is new.
     void reset()
     {
         before_.clear();
@@ -57,6 +53,7 @@ public:
     }
 
 private:
+    const Touch *known_before(const Touch &touch);
     const Touch *carrier_before(const Touch &touch, TouchView view) const;
     const Touch *taken_over_by(const Touch &touch) const;
     void recognise(const Vector3 &tool, TouchView view, double dt, Touch &touch);
@@ -69,10 +66,11 @@ private:
                   std::vector<Touch> &touches);
     void solve(TouchView view, double dt, std::vector<Touch> &touches);
 
-    std::vector<Touch> before_;             ///< of the tick before, as they were felt
+    std::vector<Touch> before_;             ///< of the tick before, as rendered
+    std::vector<bool> matched_;             ///< of before_: a touch of this tick continues it
     Vector3 tool_before_ = Vector3::Zero(); ///< m
-    Vector3 lift_ = Vector3::Zero();        ///< m; from the tool to where the touches of this tick hold it, in full
-    double jump_ = 0;                       ///< m; from the lift of the tick before
+    Vector3 lift_ = Vector3::Zero();        ///< m; from the tool to the proxy of this tick, without parts
+    double jump_ = 0;                       ///< m; the change of the lift since the tick before
     std::vector<ConstraintPlane> planes_;
     std::uint32_t last_id_ = 0;
     bool released_ = false; ///< in this tick

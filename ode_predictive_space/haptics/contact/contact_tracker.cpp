@@ -12,15 +12,13 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double ahead = 1.5;     // times the tool's way: how far ahead surfaces are looked for
-constexpr double catching_up = 2; // times the tool's way: how far the proxy may go in a tick
-constexpr double gentle = 0.09; // N; by how much the force may change in a tick beyond what the tool's way makes of it
-constexpr double around = 1.5;  // times the proxy's way: the ball that holds all that it may reach, and more
-constexpr double steps_ahead = 2;    // times the tool's way: how far it may go until geoms come from another thread
-constexpr double farthest_apart = 4; // times the radius; geoms that squeeze the sphere more have passed each other
+constexpr double ahead = 1.5;     // of the tool's travel; distance of the search for surfaces
+constexpr double catching_up = 2; // of the tool's travel; maximum travel of the proxy in a tick
+constexpr double gentle = 0.09;   // N; maximum change of the force in a tick beyond the tool's travel
+constexpr double around = 1.5;    // of the proxy's travel; radius of the ball that holds all places that it may reach
+constexpr double steps_ahead = 2; // of the tool's travel; until another thread delivers geoms
+constexpr double farthest_apart = 4; // radii; geoms that squeeze the sphere more have passed each other
 constexpr double in_contact = 1e-6;  // of the radius
-constexpr double allowed_rise =
-    1e-3; // of a surface beyond the plane in which it goes on, in parts of the distance looked ahead
 } // namespace
 
 bool is_finite(const Touch &touch)
@@ -47,19 +45,23 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     yielding_.reserve(SphereSlide::usual_planes);
     places_.reserve(touch_capacity);
+    reported_.now.reserve(touch_capacity);
+    reported_.before.reserve(touch_capacity);
 }
 
 void ContactTracker::begin()
 {
     near_.renew();
-    told_.renew();
+    reported_.now.swap(reported_.before);
+    reported_.now.clear();
 }
 
 void ContactTracker::forget()
 {
     course_.has_proxy = false;
     near_.forget();
-    told_.forget();
+    reported_.now.clear();
+    reported_.before.clear();
     released_ = false;
     carries_on_ = false;
 }
@@ -90,23 +92,21 @@ void ContactTracker::Course::aim(const Vector3 &to)
     start = proxy;
 }
 
-/// m; how far the proxy may go in this tick.
-double ContactTracker::longest_way() const
+double ContactTracker::longest_travel() const
 {
     return std::max(radius_, catching_up * course_.travel.norm());
 }
 
-// All that the proxy may reach lies between two balls: one about where it is, and one about the tool that goes through
-// there.
+// The proxy stays between two balls: one about its place, and one about the tool whose surface contains this place.
 ContactTracker::Region ContactTracker::region() const
 {
     const Vector3 way = course_.tool - course_.start;
     const double length = way.norm();
-    const double step = std::min(length, longest_way());
+    const double step = std::min(length, longest_travel());
     Region region;
     region.centre = step < length ? Vector3(course_.start + way * (step / length)) : course_.tool;
     double drift = 0;
-    double farthest = 0; // of the places that differ from the proxy
+    double farthest = 0;
     for (const ContactMemory::Place &place : near_.places_before())
     {
         drift = std::max(drift, place.drift);
@@ -118,10 +118,18 @@ ContactTracker::Region ContactTracker::region() const
     return region;
 }
 
+Vector3 ContactTracker::start_beside(dGeomID geom) const
+{
+    const auto *place = near_.place_before(geom);
+    if (place == nullptr)
+        return course_.start;
+    const Vector3 carried = place->local + pose_of(geom).position;
+    return (carried - place->at).norm() <= farthest_carried * radius_ ? carried : course_.start;
+}
+
 TriangleList ContactTracker::touched_triangles(dGeomID geom) const
 {
-    const auto *place =
-        find_in(near_.places_before(), [&](const ContactMemory::Place &other) { return other.geom.id == geom; });
+    const auto *place = near_.place_before(geom);
     return place != nullptr ? place->triangles : TriangleList();
 }
 
@@ -149,17 +157,18 @@ void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
     geoms.time = time;
 }
 
-/// m; how far the place to which the force draws the tool may go in this tick.
-double ContactTracker::way_of_force() const
+/// m; maximum displacement of the proxy in this tick that explains a change of the force.
+double ContactTracker::travel_of_force() const
 {
     double drift = 0;
     for (const HeldGeom &held : near_.list())
-        drift = std::max(drift, held.place.drift);
+        drift = std::max({drift, held.place.drift, tick_length_ * held.geom.speed_of_plane()});
     return course_.travel.norm() + drift + catch_up_;
 }
 
-/// m; the same where bodies give way. A body that bounces off a spring changes the force by more than the spring times its own travel.
-double ContactTracker::way_of_bodies() const
+/// m; as above, where bodies yield. A body that bounces off a spring changes the force by more than the stiffness times
+/// its travel.
+double ContactTracker::travel_of_bodies() const
 {
     double farthest = 0;
     const auto note = [&](const Vector3 &velocity, double mobility, double step) {
@@ -173,8 +182,8 @@ double ContactTracker::way_of_bodies() const
         note(geom.velocity_at(plane.feature.point), geom.mobility_at(plane.feature.point, plane.feature.normal),
              geom.step());
     }
-    for (const TouchOfGeom &told : told_.before())
-        note(told.touch.surface_velocity, told.touch.mobility, told.touch.response_time);
+    for (const TouchOfGeom &reported : reported_.before)
+        note(reported.touch.surface_velocity, reported.touch.mobility, reported.touch.response_time);
     return course_.travel.norm() + farthest + catch_up_;
 }
 
@@ -185,32 +194,33 @@ SphereSlide::Task ContactTracker::task() const
     task.goal = course_.tool;
     task.start = course_.start;
     task.look = ahead * course_.travel.norm();
-    task.longest = longest_way();
+    task.longest = longest_travel();
     task.margin = margin_;
-    const auto carries = [](const TouchOfGeom &told) { return told.touch.carry.carries(); };
-    if (find_in(told_.before(), carries) != nullptr && !held_by_body() && !released_ &&
-        !near_.adopts()) // a force is rendered, which is not to jump, and goes by the proxy
+    const auto carries = [](const TouchOfGeom &reported) { return reported.touch.carry.carries(); };
+    if (find_in(reported_.before, carries) != nullptr && !held_by_body() && !released_ &&
+        !near_.adopts()) // the rendered force follows the proxy, and must not jump
     {
         task.reach_centre = course_.start + course_.travel;
-        task.reach = way_of_force();
+        task.reach = travel_of_force();
     }
     return task;
 }
 
-/// Whether a body that a push moves held the tool in the tick before.
 bool ContactTracker::held_by_body() const
 {
-    const auto holds = [](const TouchOfGeom &told) { return told.touch.carry.carries() && told.touch.mobility > 0; };
-    return find_in(told_.before(), holds) != nullptr;
+    const auto holds = [](const TouchOfGeom &reported) {
+        return reported.touch.carry.carries() && reported.touch.mobility > 0;
+    };
+    return find_in(reported_.before, holds) != nullptr;
 }
 
-/// Whether the near callback should have told the geom: the place that was touched is within the region. One that the proxy has left
-/// behind may be outside of it.
-bool ContactTracker::is_gone(const TouchOfGeom &told) const
+/// Whether a missing geom has ended: its touched point is inside the region, so the near callback should have reported
+/// it. A surface that the proxy has left may be outside.
+bool ContactTracker::is_gone(const TouchOfGeom &reported) const
 {
     const Region searched = region();
-    return told.touch.carry.carries() && !carries_on_ && !near_.has(told.geom) &&
-           (told.touch.point - searched.centre).norm() < searched.radius;
+    return reported.touch.carry.carries() && !carries_on_ && !near_.has(reported.geom) &&
+           (reported.touch.point - searched.centre).norm() < searched.radius;
 }
 
 void ContactTracker::follow()
@@ -220,8 +230,8 @@ void ContactTracker::follow()
         places_.push_back({&held.geom, held.place.at, 0});
     common_ = slide_.run(task(), places_);
     visited_ = SphereSlide::most_triangles - slide_.left();
-    const auto has_gone = [this](const TouchOfGeom &told) { return is_gone(told); };
-    released_ = released_ || find_in(told_.before(), has_gone) != nullptr;
+    const auto has_gone = [this](const TouchOfGeom &reported) { return is_gone(reported); };
+    released_ = released_ || find_in(reported_.before, has_gone) != nullptr;
     double stiffest = stiffness_;
     for (const HeldGeom &held : near_.list())
         stiffest = held.geom.material() ? std::max(stiffest, held.geom.material()->stiffness) : stiffest;
@@ -229,8 +239,8 @@ void ContactTracker::follow()
     settle();
 }
 
-/// While geoms squeeze the sphere, the place that is farthest from the tool is the one that is behind nothing. Then one that is too
-/// far from the proxy to be that of the same sphere is given up: the region() holds all places.
+/// While geoms squeeze the sphere, the place farthest from the tool is behind no surface. A place too far from it is
+/// dropped, because the region() contains all places.
 void ContactTracker::settle()
 {
     if (near_.list().empty())
@@ -263,22 +273,21 @@ bool ContactTracker::touches(TouchView view, std::vector<Touch> &touches)
     const auto is_other = [&](const HeldGeom &held) {
         return held.geom.object() != near_.list().front().geom.object();
     };
-    told_.clear();
+    reported_.now.clear();
     carries_on_ = false;
     if (near_.list().empty() || view == TouchView::all_together || find_in(near_.list(), is_other) == nullptr ||
         course_.proxy == course_.tool)
-        tell_together(view);
+        report_together(view);
     else
-        tell_each_object();
-    told_.number();
-    const std::size_t most = touches.size() + told_.now().size();
-    for (const TouchOfGeom &told : told_.now())
-        if (is_finite(told.touch))
-            touches.push_back(told.touch);
+        report_each_object();
+    const std::size_t most = touches.size() + reported_.now.size();
+    for (const TouchOfGeom &reported : reported_.now)
+        if (is_finite(reported.touch))
+            touches.push_back(reported.touch);
     return touches.size() == most;
 }
 
-/// m; from where the planes of the last slide let the sphere go, to the place to which it came.
+/// m; from the place that the planes of the last slide allow to the place that the sphere reached.
 Vector3 ContactTracker::lag_at(const Vector3 &place) const
 {
     Vector3 lag = place - course_.tool;
@@ -287,34 +296,51 @@ Vector3 ContactTracker::lag_at(const Vector3 &place) const
     return lag.norm() <= in_contact * radius_ ? Vector3(Vector3::Zero()) : lag;
 }
 
-/// Bodies that a push moves come and go faster than a proxy whose place is the force could follow: one that lags would see each body from
-/// another place, and push it aside. So the proxy goes where it can, and the force goes by where the touches of the tick before held the tool:
-/// from there the lift changes no faster than tool and bodies explain.
-///
-/// @return m; what is left of the former lift.
+/// Movable bodies come and go faster than a bounded proxy could follow: a proxy that lags would see each body from
+/// another place, and push it aside. So the proxy is not bounded there. The lift of the tick before is, so that it
+/// changes no faster than tool and bodies explain.
 Vector3 ContactTracker::remaining_lift() const
 {
     Vector3 before = -course_.travel;
-    for (const TouchOfGeom &told : told_.before())
-        before += told.touch.carry.share * told.touch.normal + told.touch.carry.lag;
+    for (const TouchOfGeom &reported : reported_.before)
+        before += reported.touch.carry.share * reported.touch.normal + reported.touch.carry.lag;
     const Vector3 fading = before - lift_of(yielding_);
-    const double length = fading.norm(), way = way_of_bodies();
+    const double length = fading.norm(), way = travel_of_bodies();
     return length > way ? Vector3((1 - way / length) * fading) : Vector3(Vector3::Zero());
 }
 
-void ContactTracker::tell_together(TouchView view)
+/// The proxy has left all surfaces, and the force of the touches that carried it fades while it moves to the tool.
+void ContactTracker::report_former_carriers(const Vector3 &lag)
+{
+    const auto lift_of_touch = [](const TouchOfGeom &carrier) {
+        return (carrier.touch.carry.share * carrier.touch.normal + carrier.touch.carry.lag).norm();
+    };
+    double sum = 0;
+    for (const TouchOfGeom &carrier : reported_.before)
+        sum += lift_of_touch(carrier);
+    for (TouchOfGeom carrier : reported_.before)
+    {
+        if (!carrier.touch.carry.carries())
+            continue;
+        const double part = lift_of_touch(carrier) / sum;
+        carrier.touch.carry = {0, part * lag};
+        carrier.touch.depth = std::max(0.0, part * lag.dot(carrier.touch.normal));
+        reported_.now.push_back(carrier);
+    }
+}
+
+void ContactTracker::report_together(TouchView view)
 {
     const bool yields = share_out(view) || held_by_body();
     Vector3 lag = yields ? remaining_lift() : common_ ? lag_at(course_.proxy) : Vector3(Vector3::Zero());
     released_ = released_ && !lag.isZero(0);
     if (released_)
         lag.setZero();
-    carries_on_ = tell_planes(lag) == 0 && !lag.isZero(0);
+    carries_on_ = report_planes(lag) == 0 && !lag.isZero(0);
     if (carries_on_)
-        told_.add_carriers_of_before(lag);
+        report_former_carriers(lag);
 }
 
-/// To the force of a tick, or of a step of the scene if it does not move before.
 double ContactTracker::yield_at(const SlidePlane &plane) const
 {
     const NearbyGeom &geom = *places_[plane.place].geom;
@@ -323,9 +349,9 @@ double ContactTracker::yield_at(const SlidePlane &plane) const
     return yield_of(stiffness, mobility, std::max(tick_length_, geom.step()));
 }
 
-/// The shares of what the last slide found. Where all objects hold the proxy together, and a push moves one of them, all give way: shares of
-/// the exact solution grow without bounds where normals are nearly dependent, and would throw light bodies about. A body that answers
-/// only with the next step of the scene gives way in each case.
+/// Computes the shares of the last slide's planes. Where all objects hold the proxy together and one is movable, all
+/// yield: exact shares grow without bound where normals are close to dependent, and would throw light bodies. A body
+/// that responds only in the next step of the scene always yields.
 bool ContactTracker::share_out(TouchView view)
 {
     bool yields = false;
@@ -341,8 +367,8 @@ bool ContactTracker::share_out(TouchView view)
     return yields;
 }
 
-/// What the last slide found. @return m; what the planes carry together.
-double ContactTracker::tell_planes(const Vector3 &lag)
+/// @return m; the sum of the shares.
+double ContactTracker::report_planes(const Vector3 &lag)
 {
     double carried = 0;
     for (const ConstraintPlane &plane : yielding_)
@@ -369,13 +395,13 @@ double ContactTracker::tell_planes(const Vector3 &lag)
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
         touch.material = geom.material();
-        told_.add(geom.id(), touch);
+        reported_.now.push_back({geom.id(), touch});
     }
     return carried;
 }
 
-/// Each object holds off the tool as if there were no other; on which side of it the tool is, all of them have said.
-void ContactTracker::tell_each_object()
+/// Each object holds off the tool alone. The common slide has determined the side of entry.
+void ContactTracker::report_each_object()
 {
     for (const HeldGeom &first : near_.list())
     {
@@ -394,35 +420,8 @@ void ContactTracker::tell_each_object()
         const bool common = slide_.run(alone, places_);
         visited_ += alone.triangles - slide_.left();
         share_out(TouchView::each_object_alone);
-        tell_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
-    }
-    count_flush_touches_once();
-}
-
-/// Whether the touched geom ends in a plane through its touched place: its face, or an edge of it, lies there, and nothing is beyond.
-bool ContactTracker::ends_in(const TouchOfGeom &told, const Vector3 &normal) const
-{
-    const double beyond = 0.1 * radius_;
-    const HeldGeom *held = find_in(near_.list(), [&](const HeldGeom &other) { return other.geom.id() == told.geom; });
-    const double distance = held->geom.distance(told.touch.point + beyond * normal, 2 * beyond);
-    return distance >= beyond * (1 - allowed_rise);
-}
-
-/// When touches of different objects lie in one plane (flush tiles, a ridge made of two boxes), the deepest counts alone. The edges of the
-/// others would push again.
-void ContactTracker::count_flush_touches_once()
-{
-    for (TouchOfGeom &told : told_.now())
-    {
-        Touch &touch = told.touch;
-        const auto goes_on_in_it = [&](const TouchOfGeom &other) {
-            const Touch &deeper = other.touch;
-            const bool is_deeper = deeper.depth > touch.depth || (deeper.depth == touch.depth && &other < &told);
-            return deeper.object != touch.object && is_deeper && deeper.carry.carries() &&
-                   is_flush(deeper.normal, deeper.point, touch.point) && ends_in(told, deeper.normal);
-        };
-        if (touch.carry.carries() && find_in(told_.now(), goes_on_in_it) != nullptr)
-            touch.carry = Carry{};
+        report_planes(common ? lag_at(places_.front().at) : Vector3(Vector3::Zero()));
     }
 }
+
 } // namespace ode_predictive_space::haptics

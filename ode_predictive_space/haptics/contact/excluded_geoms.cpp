@@ -6,16 +6,16 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double depth_still_outside = 0.01; // of the radius: a probe that begins no deeper is outside
-constexpr double shallow = 1e-4;             // m; the same for a probe without a radius
+constexpr double depth_still_outside = 0.01; // of the radius; a probe that begins at a smaller depth is outside
+constexpr double shallow = 1e-4;             // m; as above for a probe without a radius
 
-/// Of a solid the whole probe, of a mesh its middle: then no part of it tells by which side it came.
+/// Whether the whole probe is in a solid, or its centre in a mesh: then the side of entry is unknown.
 bool is_deep_in(const NearbyGeom &geom, const ProbePlace &probe)
 {
     return geom.is_solid() ? geom.distance(probe.centre, 0) <= -probe.radius : geom.contains(probe.centre);
 }
 
-/// @param allowed m; how deep it may be and yet be outside.
+/// @param allowed m; the depth that still counts as outside.
 bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 {
     return geom.distance(probe.centre, probe.radius) < probe.radius - allowed || geom.contains(probe.centre);
@@ -24,33 +24,33 @@ bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 
 ExcludedGeoms::ExcludedGeoms()
 {
-    told_.reserve(touch_capacity);
+    reported_.reserve(touch_capacity);
     before_.reserve(touch_capacity);
 }
 
 void ExcludedGeoms::begin()
 {
-    told_.swap(before_);
-    told_.clear();
+    reported_.swap(before_);
+    reported_.clear();
 }
 
-const ExcludedGeoms::Told *ExcludedGeoms::before(const GeomIdentity &geom) const
+const ExcludedGeoms::Reported *ExcludedGeoms::before(const GeomIdentity &geom) const
 {
-    return find_in(before_, [&](const Told &told) { return told.geom == geom; });
+    return find_in(before_, [&](const Reported &reported) { return reported.geom == geom; });
 }
 
 bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)
 {
     const bool excluded = must_exclude(geom, probe);
-    told_.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
+    reported_.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
     return excluded;
 }
 
 bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const
 {
     if (geom.is_solid() && !is_in(geom, probe, 0))
-        return false; // as most are; no need to look for it
-    const Told *last = before(geom.identity());
+        return false; // the usual case
+    const Reported *last = before(geom.identity());
     if (probe.begins || (last != nullptr && last->excluded))
         return is_in(geom, probe, probe.begins ? depth_still_outside * probe.radius : 0);
     const bool was_there =
@@ -60,12 +60,12 @@ bool ExcludedGeoms::must_exclude(const NearbyGeom &geom, const ProbePlace &probe
 
 bool ExcludedGeoms::excludes(dGeomID geom, double depth, const ProbePlace &probe)
 {
-    Told told;
-    told.geom.id = geom;
-    const Told *last = before(told.geom);
+    Reported reported;
+    reported.geom.id = geom;
+    const Reported *last = before(reported.geom);
     const bool began_in = probe.begins && depth > std::max(shallow, depth_still_outside * probe.radius);
-    told.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
-    told_.push_back(told);
-    return told.excluded;
+    reported.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
+    reported_.push_back(reported);
+    return reported.excluded;
 }
 } // namespace ode_predictive_space::haptics

@@ -7,41 +7,37 @@
 
 namespace ode_predictive_space::haptics
 {
-/// times the radius; a geom that carries the proxy farther in a tick was put elsewhere.
+/// radii; a geom that carries the proxy farther in a tick was put elsewhere.
 constexpr double farthest_carried = 10;
 
-/// Where the probe is in a tick, and how it came there.
 struct ProbePlace
 {
     Vector3 centre = Vector3::Zero(); ///< m
     double radius = 0;                ///< m
-    bool begins = false;              ///< it was not there in the tick before
+    bool begins = false;              ///< it was elsewhere in the tick before
     double tick = 0;                  ///< s; since the tick before
 };
 
-/// There is no side from which the probe came into such a geom, so that any force would be arbitrary: see TouchSensor. What came
-/// around the probe by its own motion is not excluded.
+/// Such a geom has no side of entry, so any force would be arbitrary (see TouchSensor). A geom that moved around the
+/// probe is not excluded.
 ///
-/// Each tick: begin(), then excludes() for each geom that the near callback tells.
+/// Call order in each tick: begin(), then excludes() for each geom of the near callback.
 class ExcludedGeoms
 {
 public:
     ExcludedGeoms();
 
-    /// A geom that is not told in a tick is excluded no more.
+    /// Begins a tick. A geom that is not reported in it is no longer excluded.
     void begin();
 
-    /// For a geom whose surface is known.
     bool excludes(const NearbyGeom &geom, const ProbePlace &probe);
 
-    /// For a geom that only dCollide() knows: it is excluded from the start alone.
-    ///
-    /// @param depth m; of the deepest contact.
+    /// For a geom that only dCollide() knows: excluded only when the probe begins in it.
     bool excludes(dGeomID geom, double depth, const ProbePlace &probe);
 
 private:
-    /// A geom that the near callback told, and the probe in it.
-    struct Told
+    /// A reported geom, and the probe in its frame.
+    struct Reported
     {
         GeomIdentity geom;
         Vector3 centre = Vector3::Zero(); ///< m; the scene's frame
@@ -49,11 +45,11 @@ private:
         bool excluded = false;
     };
 
-    const Told *before(const GeomIdentity &geom) const;
+    const Reported *before(const GeomIdentity &geom) const;
     bool must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const;
 
-    std::vector<Told> told_;
-    std::vector<Told> before_;
+    std::vector<Reported> reported_;
+    std::vector<Reported> before_;
 };
 } // namespace ode_predictive_space::haptics
 

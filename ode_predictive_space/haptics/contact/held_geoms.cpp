@@ -41,6 +41,11 @@ bool HeldGeoms::has(dGeomID geom) const
     return find_in(list_, [&](const HeldGeom &held) { return held.geom.id() == geom; }) != nullptr;
 }
 
+const ContactMemory::Place *HeldGeoms::place_before(dGeomID geom) const
+{
+    return find_in(before_, [&](const ContactMemory::Place &place) { return place.geom.id == geom; });
+}
+
 void HeldGeoms::add(NearbyGeom geom, const Vector3 &start, double most_drift, double distance)
 {
     if (has(geom.id()))

@@ -1,4 +1,4 @@
-// The geoms around the probe, and where the proxy is with respect to each of them.
+// The geoms around the probe, each with the place of the proxy beside it.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_HELD_GEOMS_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_HELD_GEOMS_H
@@ -9,27 +9,26 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The geoms around the probe, to be handed from the scene's tracker to the servo's; it keeps the meshes alive.
 struct NearbyGeoms
 {
     std::vector<NearbyGeom> geoms;
     double time = 0; ///< s; when this was so
 };
 
-/// On which side of which geom the proxy is, to be handed from the servo's tracker to the scene's.
+/// The places of the proxy that the servo's tracker gives to the scene's.
 struct ContactMemory
 {
-    /// The place of the proxy beside one geom. The places differ only while several geoms squeeze the sphere.
+    /// The place of the proxy beside one geom; places differ only while geoms squeeze the sphere.
     struct Place
     {
         GeomIdentity geom;
         Vector3 at = Vector3::Zero();    ///< m; the scene's frame
         Vector3 local = Vector3::Zero(); ///< m; the geom's frame
-        double drift = 0;                ///< m; how far the geom carried the proxy in the last tick
+        double drift = 0;                ///< m; displacement of the proxy by the geom in the last tick
         TriangleList triangles;          ///< touched
     };
 
-    /// Makes room for as many as there can be, since the servo does not allocate.
+    /// Reserves the maximum, because the servo must not allocate.
     ContactMemory() { places.reserve(touch_capacity); }
 
     bool has_proxy = false;
@@ -37,12 +36,11 @@ struct ContactMemory
     std::vector<Place> places;
 };
 
-/// A geom, and where the proxy is with respect to it.
 struct HeldGeom
 {
     NearbyGeom geom;
-    double distance = 0;        ///< m; from the middle of the region, if the order goes by it
-    ContactMemory::Place place; ///< when the tick began; after the proxy has followed, when it was over
+    double distance = 0;        ///< m; from the centre of the region
+    ContactMemory::Place place; ///< at the beginning of the tick; after follow(), at its end
 
     void put(const Vector3 &at)
     {
@@ -51,36 +49,35 @@ struct HeldGeom
     }
 };
 
-/// All of a tick, up to the capacity, the nearest first. Each tick: renew(), then add() for each geom.
+/// The geoms of a tick up to the capacity, the nearest first. Call order: renew(), then add() for each geom.
 class HeldGeoms
 {
 public:
     HeldGeoms();
 
-    /// Forgets what is near, but not where the proxy is with respect to it.
+    /// Forgets the geoms, but not the places.
     void renew();
 
-    /// Forgets that, too.
     void forget();
 
-    /// After renew(): another tracker, which has gone on meanwhile, knows where the proxy is.
+    /// After renew(): takes the places of another tracker.
     void adopt(const ContactMemory &memory);
     bool adopts() const { return adopts_; }
 
-    /// @param start m; the proxy, with respect to a geom that was not near before. @param most_drift m; what has carried the proxy farther was
-    ///        put elsewhere. @param distance m; farther geoms come later.
+    /// @param start m; the proxy beside a geom that was not near before. @param most_drift m; a geom that carried the
+    ///         proxy farther was put elsewhere. @param distance m; the order of the geoms.
     void add(NearbyGeom geom, const Vector3 &start, double most_drift, double distance);
 
     bool has(dGeomID geom) const;
 
-    /// In this tick.
     std::vector<HeldGeom> &list() { return list_; }
     const std::vector<HeldGeom> &list() const { return list_; }
 
-    /// The places of the proxy in the last tick, one for each geom that was near then.
     const std::vector<ContactMemory::Place> &places_before() const { return before_; }
 
-    /// Whether there were more geoms in this tick than the capacity: the farthest ones were left out.
+    /// The former place beside one geom; 0 for a geom that was not near.
+    const ContactMemory::Place *place_before(dGeomID geom) const;
+
     bool exceeds_capacity() const { return exceeds_; }
 
 private:

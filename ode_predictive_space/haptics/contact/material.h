@@ -1,4 +1,4 @@
-// Which materials there can be, and how one goes over into another.
+// Validation of materials, and the transition from one to another.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MATERIAL_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MATERIAL_H
@@ -10,13 +10,11 @@ namespace ode_predictive_space::haptics
 /// @throws std::invalid_argument that names the property which is negative or not finite.
 void check(const Material &material);
 
-/// The same, for where nothing may be thrown.
+/// Whether check() would accept the material.
 bool is_valid(const Material &material);
 
-/// From one material towards another: where the probe goes from one surface to the next, or a material is changed, the force must not
-/// jump. Each property goes by at most its larger value in 20 ms.
-///
-/// @param dt s.
+/// A step from one material towards another, so that the force does not jump between surfaces. Each property changes by
+/// at most its larger value in 20 ms.
 Material blended(const Material &from, const Material &to, double dt);
 } // namespace ode_predictive_space::haptics
 

@@ -11,7 +11,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr std::size_t most_meshes = 256; // the oldest one goes then
+constexpr std::size_t most_meshes = 256; // then the oldest one is dropped
 constexpr int compared_at_once = 8;
 constexpr std::size_t steps_to_add = 8; // of MeshTree::build(): adding a triangle takes as long
 constexpr double rounding_of_corners = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5; // m, and of the coordinates
@@ -23,7 +23,7 @@ TriangleCorners triangle_of(dGeomID geom, int index)
     return {from_ode(corners[0]), from_ode(corners[1]), from_ode(corners[2])};
 }
 
-/// The cells' diagonals go from the one with the higher x to the one with the higher z, as in ODE. They face upwards.
+/// Diagonals run from the corner with the higher x to the one with the higher z, as in ODE. Triangles face upwards.
 std::vector<TriangleCorners> triangles_of(const HeightfieldSamples &samples)
 {
     const auto columns = static_cast<std::size_t>(std::max(0, samples.width_samples));
@@ -124,8 +124,8 @@ MeshStore::Entry &MeshStore::entry_of(dGeomID mesh)
     return meshes_.back();
 }
 
-/// By a geom at the origin: there ODE gives the coordinates as they are. It does not outlive the call, as the program may destroy the
-/// data.
+/// Reads by a temporary geom at the origin, where ODE returns the coordinates unchanged. The program may destroy the
+/// data after the call.
 void MeshStore::read(const void *data, MeshTree &tree)
 {
     if (tree.added() < tree.count() && steps_ >= steps_to_add)
@@ -163,7 +163,7 @@ bool MeshStore::is_current(dGeomID geom, Entry &entry, const TriangleList &touch
     if (static_cast<std::size_t>(dGeomTriMeshGetTriangleCount(geom)) != count)
         return false;
     if (!entry.tree->is_ready())
-        return true; // as far as is known
+        return true;
     for (int i = 0; i < compared_at_once && count > 0; ++i)
     {
         entry.next = (entry.next + 1) % count;

@@ -1,4 +1,4 @@
-// The trees of the meshes that a probe has come near, and of the heightfields whose samples are known: one for each data.
+// Trees of meshes near the probe, and of heightfields with known samples: one for each data.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MESH_STORE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_STORE_H
@@ -14,11 +14,9 @@ namespace ode_predictive_space::haptics
 {
 struct HeightfieldSamples;
 
-/// One notice for all meshes.
 constexpr std::string_view reading_notice =
     "A mesh is being read, a part of it in each tick. Until then it is touched as dCollide() finds it.";
 
-/// A few triangles of a mesh.
 struct TriangleList
 {
     std::array<int, 8> indices{};
@@ -31,43 +29,39 @@ struct TriangleList
     }
 };
 
-/// Geoms of the same dTriMeshDataID share a tree. ODE does not tell when the triangles behind an id change: each look-up
-/// compares their number, some of them in turn, and those that the caller names, and makes the tree anew when one differs.
+/// Geoms of the same dTriMeshDataID share a tree. ODE does not report changed triangles: each look-up compares their
+/// number, a few of them in rotation, and the touched ones. A difference replaces the tree.
 ///
-/// A large mesh is read in parts, so that no look-up takes long: until its tree stands, the look-ups go on with it.
+/// A large mesh is read in parts, so that no look-up takes long.
 ///
-/// A heightfield has the triangles of its cells. It is not compared: ODE tells neither samples nor triangles of it.
+/// A heightfield has the triangles of its cells. ODE gives no access to its samples, so it is not compared.
 class MeshStore
 {
 public:
     /// Triangle meshes that have data, and heightfields that have samples.
     bool knows(dGeomID geom) const;
 
-    /// A tick begins, in which meshes are read by so many steps of MeshTree::build().
+    /// Begins a tick with a budget of steps of MeshTree::build().
     void begin(std::size_t steps);
 
-    /// Whether a tree was not ready in this tick.
     bool is_reading() const { return is_reading_; }
 
-    /// @param geom that it knows.
-    /// @param touched triangles of it to compare now.
-    /// @return 0 as long as it is being read.
+    /// @return 0 while it is being read.
     std::shared_ptr<const MeshTree> tree_of(dGeomID geom, const TriangleList &touched);
 
-    /// Reads all of it now.
     void prepare(dGeomID mesh);
 
     /// @throws std::invalid_argument when the samples make no field.
     void set_samples(dHeightfieldDataID data, const HeightfieldSamples &samples);
     void forget_samples(dHeightfieldDataID data);
 
-    /// Make the tree anew when it is needed next.
+    /// Drops the tree. It is read again when it is needed.
     void forget(dTriMeshDataID data);
 
     std::size_t count() const { return meshes_.size(); }
 
 private:
-    /// Of a dTriMeshDataID or of a dHeightfieldDataID.
+    /// The tree of a dTriMeshDataID or dHeightfieldDataID.
     struct Entry
     {
         const void *data;

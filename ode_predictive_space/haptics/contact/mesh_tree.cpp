@@ -9,13 +9,13 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double nearer = 1 - 1e-12;    // square of a distance: so much of it counts as nearer
+constexpr double nearer = 1 - 1e-12;    // of a squared distance; below it, a place counts as nearer
 constexpr std::uint32_t large_fan = 12; // triangles at a corner
 constexpr int no_minimum = -2;          // instead of a triangle
 constexpr double same_place = 1e-7;     // of the distance
-constexpr double far = 2;               // times the radius of a node: from there, it is a dipole
+constexpr double far = 2;               // radii of a node; from there, it is a dipole
 
-/// By the formula of van Oosterom and Strackee (1983).
+/// Formula of van Oosterom and Strackee (1983).
 double solid_angle(const TriangleCorners &corners, const Vector3 &point)
 {
     const Vector3 a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
@@ -51,7 +51,8 @@ MeshTree::MeshTree(Unread, std::size_t count) : count_(count), known_(std::make_
     finite_.reserve(count);
 }
 
-// Corners at the same place are one vertex, whatever the mesh's indices say. What is not a number is nowhere.
+// Corners at the same place become one vertex, whatever the indices of the mesh. Triangles that are not finite are left
+// out.
 void MeshTree::add(const TriangleCorners &corners)
 {
     TriangleArrays::Indices triangle;
@@ -123,7 +124,7 @@ double MeshTree::distance(const Vector3 &point, double most) const
     return most;
 }
 
-/// Of the last node that has none: children come first.
+/// Adds the dipole of the last node without one: children precede their parents.
 void MeshTree::add_dipole()
 {
     const TriangleTree::Node &node = tree_->nodes()[tree_->nodes().size() - 1 - dipoles_.size()];
@@ -134,7 +135,7 @@ void MeshTree::add_dipole()
     dipoles_.push_back(dipole);
 }
 
-/// Of a leaf's triangles, or of a node's children: the centres times the areas, too.
+/// Sums the triangles of a leaf or the children of a node; centres are weighted by area.
 MeshTree::Dipole MeshTree::sum_of(const TriangleTree::Node &node) const
 {
     Dipole sum;
@@ -194,7 +195,7 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
         feature.triangle = no_minimum;
     const bool in_large_fan =
         found.part == TrianglePart::corner && fans_[triangles_[triangle][found.index]].size > large_fan;
-    if (is_told || in_large_fan) // there, so that the others of the fan need not look
+    if (is_told || in_large_fan) // then the other triangles of the fan need no check
         features.push_back(feature);
     return feature.distance;
 }

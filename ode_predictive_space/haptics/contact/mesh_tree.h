@@ -1,4 +1,4 @@
-// The triangles of a mesh, with their neighbours: what of the mesh is near a point, and whether the point is inside.
+// The triangles of a mesh: features near a point, and whether the point is inside.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MESH_TREE_H
@@ -11,12 +11,13 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A copy of a mesh's triangles, in the mesh's frame. Once it is ready it does not change, so that geoms and threads may share it.
+/// A copy of a mesh's triangles, in the mesh's frame. It is immutable once it is ready, so geoms and threads may share
+/// it.
 ///
-/// A large mesh is read and built in parts: add() for each triangle, then build() until is_ready(). Only then it answers.
+/// A large mesh is built in parts: add() for each triangle, then build() until is_ready(). Queries need a ready tree.
 ///
-/// The surface has two sides: which one is felt depends on where the point is, never on the order of a triangle's corners.
-/// Holes, triangles that are there twice and triangles without area are no special cases.
+/// The surface has two sides, whatever the order of the corners. Holes, duplicate triangles and triangles without area
+/// are allowed.
 class MeshTree
 {
 public:
@@ -26,7 +27,6 @@ public:
     public:
         explicit Budget(std::size_t triangles) : left_(triangles) {}
 
-        /// @return false, from now on, when none is left.
         bool take()
         {
             is_exceeded_ = is_exceeded_ || left_ == 0;
@@ -42,23 +42,18 @@ public:
         bool is_exceeded_ = false;
     };
 
-    /// Ready at once.
     explicit MeshTree(const std::vector<TriangleCorners> &triangles);
 
-    /// To be read in parts.
     struct Unread
     {};
 
-    /// @param count of the triangles that will be added.
     MeshTree(Unread, std::size_t count);
 
-    /// The next triangle.
     void add(const TriangleCorners &corners);
 
-    /// How many have been added.
     std::size_t added() const { return triangles_.size(); }
 
-    /// When all have been added. @return how many of the steps are left. Each takes some 25 ns.
+    /// Builds after the last add(). @return the remaining steps. A step takes some 25 ns.
     std::size_t build(std::size_t steps);
 
     bool is_ready() const { return tree_ && tree_->is_ready() && dipoles_.size() == tree_->nodes().size(); }
@@ -66,29 +61,24 @@ public:
     std::size_t count() const { return count_; }
     TriangleCorners corners(std::size_t triangle) const { return tree_->corners(static_cast<std::uint32_t>(triangle)); }
 
-    /// Append the local minima of the distance within a radius, in no order. A place of an edge or of a corner is one only
-    /// if no triangle at that edge or corner comes nearer: on a flat floor there is one feature, however many triangles it
-    /// is made of.
+    /// Appends the local minima of the distance within a radius, in no order. A place on an edge or corner counts only
+    /// if no adjacent triangle is nearer: a flat floor has one feature, however many triangles it has.
     ///
-    /// @return the distance to the mesh; the radius when nothing is within it. When the budget is exceeded, it and the features are
-    /// those of the triangles that were visited.
-    ///
-    /// @param budget may be 0: then there is no limit.
+    /// @return the distance to the mesh, at most the radius. When the budget is exceeded, distance and features are
+    ///         those of the visited triangles.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features, Budget *budget = nullptr) const;
 
-    /// The distance from a point to the mesh, or `most` if that is less.
     double distance(const Vector3 &point, double most) const;
 
-    /// How often the mesh winds around a point: 1 inside of a closed mesh whose triangles face outwards, -1 where they face
-    /// inwards, 0 outside. Holes and far triangles make it inexact by some hundredths. (Jacobson, Kavan and Sorkine-Hornung,
+    /// The winding number at a point: 1 inside of a closed mesh whose triangles face outwards, -1 where they face
+    /// inwards, 0 outside. Holes and far triangles add errors of some hundredths. (Jacobson, Kavan and Sorkine-Hornung,
     /// 2013; Barill and others, 2018.)
     double winding_number(const Vector3 &point) const;
 
-    /// The place of one triangle that is nearest to a point.
     SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
 
 private:
-    /// A node's triangles as seen from afar.
+    /// The far field of a node.
     struct Dipole
     {
         Vector3 centre = Vector3::Zero(); ///< m

@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/contact/mobility.h"
 
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+
 #include <ode/objects.h>
 
 namespace ode_predictive_space::haptics
@@ -11,18 +13,10 @@ Mobility Mobility::of(dBodyID body)
         return mobility;
     dMass mass;
     dBodyGetMass(body, &mass);
-    const dReal *turn = dBodyGetRotation(body);
-    Eigen::Matrix3d rotation, inertia;
-    for (int row = 0; row < 3; ++row)
-    {
-        for (int column = 0; column < 3; ++column)
-        {
-            rotation(row, column) = static_cast<double>(turn[4 * row + column]);
-            inertia(row, column) = static_cast<double>(mass.I[4 * row + column]);
-        }
-    }
+    using Rows = Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>;
+    const Eigen::Matrix3d rotation = Eigen::Map<const Rows>(dBodyGetRotation(body)).leftCols<3>().cast<double>();
     mobility.inverse_mass = 1 / static_cast<double>(mass.mass);
-    mobility.inverse_inertia = rotation * inertia.inverse() * rotation.transpose();
+    mobility.inverse_inertia = rotation * inertia_of(mass).inverse() * rotation.transpose();
     return mobility;
 }
 } // namespace ode_predictive_space::haptics

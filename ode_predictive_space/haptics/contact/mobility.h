@@ -1,4 +1,4 @@
-// How a body answers a push.
+// The response of a body to a push.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MOBILITY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MOBILITY_H
@@ -9,18 +9,18 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Zero for what no push moves.
+/// Inverse inertia of a body; zero if no push moves it.
 struct Mobility
 {
     double inverse_mass = 0;                                   ///< 1/kg
     Eigen::Matrix3d inverse_inertia = Eigen::Matrix3d::Zero(); ///< 1/(kg m^2); the scene's frame
 
-    /// Of a free body; zero for a kinematic one, and for none. Joints only take mobility away, so this is the most that there can be.
+    /// Mobility of a free body; zero for a kinematic one and for 0. Joints only reduce it, so this is an upper bound.
     static Mobility of(dBodyID body);
 
     bool is_zero() const { return inverse_mass == 0; }
 
-    /// 1/kg; how fast a place of the body moves along a direction after a push along it of 1 N s.
+    /// 1/kg; speed of a place of the body along a direction per impulse along it.
     ///
     /// @param arm m; from the centre of mass. @param direction of length 1.
     double along(const Vector3 &arm, const Vector3 &direction) const

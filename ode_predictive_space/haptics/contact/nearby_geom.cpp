@@ -10,19 +10,20 @@ constexpr double least_winding = 0.5;           // inside of a mesh
 constexpr double least_winding_of_field = 0.25; // below a heightfield, which has no bottom
 } // namespace
 
+NearbyGeom::NearbyGeom(dGeomID geom)
+    : id_(geom), object_(object_of(geom)), pose_(pose_of(geom)), motion_(body_motion_of(geom, pose_)),
+      mobility_(Mobility::of(dGeomGetBody(geom)))
+{}
+
 std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, const TriangleList &touched)
 {
-    NearbyGeom nearby;
-    nearby.solid_ = Solid::of(geom);
-    if (!nearby.is_solid() && !meshes.knows(geom))
+    const Solid solid = Solid::of(geom);
+    if (!solid.is_known() && !meshes.knows(geom))
         return {};
-    nearby.id_ = geom;
-    nearby.object_ = object_of(geom);
-    nearby.pose_ = pose_of(geom);
-    if (nearby.solid_.is_ball())
+    NearbyGeom nearby(geom);
+    nearby.solid_ = solid;
+    if (solid.is_ball())
         nearby.pose_.rotation.setIdentity();
-    nearby.motion_ = body_motion_of(geom, nearby.pose_);
-    nearby.mobility_ = Mobility::of(dGeomGetBody(geom));
     if (!nearby.is_solid() && nearby.is_finite())
     {
         nearby.mesh_ = meshes.tree_of(geom, touched);
@@ -30,6 +31,16 @@ std::optional<NearbyGeom> NearbyGeom::read(dGeomID geom, MeshStore &meshes, cons
             return {};
         nearby.is_field_ = dGeomGetClass(geom) == dHeightfieldClass;
     }
+    return nearby;
+}
+
+NearbyGeom NearbyGeom::behind_plane(dGeomID geom, const Vector3 &point, const Vector3 &normal)
+{
+    NearbyGeom nearby(geom);
+    nearby.pose_.rotation.setIdentity();
+    nearby.solid_ = Solid::half_space(nearby.to_local(point), normal);
+    nearby.by_plane_ = true;
+    nearby.point_ = point;
     return nearby;
 }
 
@@ -56,9 +67,12 @@ NearbyGeom NearbyGeom::later(double dt) const
 void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector3 &velocity, const Vector3 &spin)
 {
     pose_.position += moved;
+    point_ += moved;
     motion_.centre += moved;
     const double angle = turned.norm();
-    if (angle != 0)
+    if (by_plane_)
+        pose_.position += turned.cross(point_ - motion_.centre);
+    else if (angle != 0)
     {
         const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
         if (!solid_.is_ball())
@@ -67,6 +81,11 @@ void NearbyGeom::shift(const Vector3 &moved, const Vector3 &turned, const Vector
     }
     motion_.linear += velocity;
     motion_.angular += spin;
+}
+
+double NearbyGeom::speed_of_plane() const
+{
+    return by_plane_ ? std::abs(solid_.nearest(to_local(point_)).normal.dot(velocity_at(point_))) : 0;
 }
 
 void NearbyGeom::note_contacts()

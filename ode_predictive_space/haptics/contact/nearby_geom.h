@@ -1,4 +1,4 @@
-// A geom that the probe is near to, as it was when the near callback came.
+// A geom near the probe, as it was in the near callback.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
@@ -15,7 +15,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Which geom it is: equal as long as it is the same thing, with the same body and the same surface. To compare only.
+/// Identity of a geom with its body and its surface, for comparisons only.
 struct GeomIdentity
 {
     dGeomID id = nullptr;
@@ -28,100 +28,102 @@ struct GeomIdentity
     }
 };
 
-/// All that contact needs to know of a geom: a copy, since the program may destroy the geom at any time.
+/// A copy of all data that contact needs, because the program may destroy the geom at any time.
 class NearbyGeom
 {
 public:
-    /// It moves as its body does. Nothing for a geom whose surface is known to ODE alone (convex, heightfield without samples,
-    /// transform, classes of the program, mesh that is being read).
+    NearbyGeom() = default;
+
+    /// Reads a geom, with the motion of its body. Returns nothing for a surface that ODE alone knows (convex,
+    /// heightfield without samples, transform, classes of the program, mesh that is being read).
     ///
-    /// @param touched triangles of the mesh that were touched last: see MeshStore.
+    /// @param touched touched triangles of the mesh: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
 
-    /// The tool of another probe.
+    /// A geom whose surface ODE alone knows, as the half-space behind the plane through its point nearest to the proxy.
+    ///
+    /// @param point m; on the surface. @param normal of length 1, towards the proxy; both in the scene's frame.
+    static NearbyGeom behind_plane(dGeomID geom, const Vector3 &point, const Vector3 &normal);
+
     static NearbyGeom of(const ProbeTool &tool);
 
-    dGeomID id() const { return id_; } ///< to compare, not to use
+    dGeomID id() const { return id_; } ///< for comparisons only
     std::uintptr_t object() const { return object_; }
 
-    /// Whether it has a place. Its velocity may still be none: see velocity_at().
     bool is_finite() const { return pose_.rotation.allFinite() && pose_.position.allFinite(); }
 
     GeomIdentity identity() const { return {id_, object_, mesh_.get()}; }
 
-    /// About the centre of its body, if it has one.
     void set_motion(const Motion &motion) { motion_ = motion; }
 
-    /// The geom as it is some time later, with the velocity that it has.
+    /// The geom after a time at its present velocity.
     ///
-    /// Real-time: the copy shares a mesh without owning it. It must not be used when this one is gone.
-    ///
-    /// @param dt s.
+    /// Real-time: the copy shares the mesh without owning it, and must not outlive this one.
     NearbyGeom later(double dt) const;
 
-    /// Its body has moved by this (m), has turned by this vector about its centre (rad), and has this much more velocity (m/s) and spin (rad/s).
+    /// Adds displacement (m), rotation about the body's centre (rad), velocity (m/s) and spin (rad/s).
     void shift(const Vector3 &moved, const Vector3 &turned, const Vector3 &velocity, const Vector3 &spin);
 
     void set_material(const std::optional<Material> &material) { material_ = material; }
     const std::optional<Material> &material() const { return material_; }
 
-    /// s; when its body answers a push by the next step of the scene alone, how long that is. 0: within a tick.
+    /// s; the step of the scene if the body responds to a push only in the next step; 0: within a tick.
     void set_step(double seconds) { step_ = seconds; }
     double step() const { return step_; }
 
-    /// From the thread of the scene, after the program has made its contact joints: whether the body is in contact with something.
+    /// Reads whether the body is in contact. For the thread of the scene, after the program has made its contact
+    /// joints.
     void note_contacts();
     bool is_in_contact() const { return in_contact_; }
 
-    /// The body got an impulse (N s) at the end of an arm (m) some time ago (s), and has moved by it since, as if nothing held it.
+    /// Applies an impulse (N s) at the end of an arm (m), given some time ago (s), to the free body.
     void push(const Vector3 &impulse, const Vector3 &arm, double since);
 
-    /// Whether a push moves it.
     bool is_movable() const { return !mobility_.is_zero(); }
 
     double inverse_mass() const { return mobility_.inverse_mass; } ///< 1/kg
 
-    /// 1/kg; how fast a place of the surface moves along a direction of length 1 after a push of 1 N s, if nothing else holds the body.
+    /// 1/kg; speed of a place of the surface along a direction of length 1 per impulse, for the free body.
     double mobility_at(const Vector3 &point, const Vector3 &direction) const
     {
         return mobility_.along(arm_of(point), direction);
     }
 
-    /// m; from the centre of its body.
     Vector3 arm_of(const Vector3 &point) const { return point - motion_.centre; }
 
-    /// m/s, of the surface.
     Vector3 velocity_at(const Vector3 &point) const { return motion_.velocity_at(point); }
+
+    /// m/s; speed along the normal of the plane that stands for the surface; 0 for other geoms.
+    double speed_of_plane() const;
 
     Vector3 to_local(const Vector3 &point) const { return pose_.rotation.transpose() * (point - pose_.position); }
     Vector3 to_scene(const Vector3 &point) const { return pose_.rotation * point + pose_.position; }
 
-    /// Append what of the surface is within a radius of a point. The scene's frame. See MeshTree::collect().
-    ///
-    /// @return the distance to the surface, or the radius if that is less.
+    /// Appends the features within a radius of a point, in the scene's frame; see MeshTree::collect().
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features,
                    MeshTree::Budget *budget = nullptr) const;
 
-    /// The distance from a point to the surface, below 0 inside of a solid; `most` if that is less.
+    /// The distance from a point to the surface, at most `most`, negative inside of a solid.
     double distance(const Vector3 &point, double most) const;
 
-    /// Whether a point is inside of a mesh whose triangles face outwards, holes or not, or below a heightfield. Never of a
-    /// solid: see distance().
+    /// Whether a point is inside of a mesh whose triangles face outwards, or below a heightfield. For solids see
+    /// distance().
     bool contains(const Vector3 &point) const;
 
-    /// The same face, edge or corner that a feature is of, or its neighbour in the same triangle, as seen from another
-    /// point.
+    /// The nearest place of the feature's triangle, or of the solid, to another point.
     SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
 
-    /// Whether there is an inside that a point is in, and out of which it may go any way.
+    /// Whether a point inside may leave in any direction.
     bool is_solid() const { return solid_.is_known(); }
 
 private:
+    explicit NearbyGeom(dGeomID geom);
+
     void move_to_scene(SurfaceFeature &feature) const;
 
     dGeomID id_ = nullptr;
     std::uintptr_t object_ = 0;
-    Pose pose_; ///< a ball's frame does not turn: a light one that spins would carry the proxy around itself
+    Pose pose_; ///< a ball's frame does not turn: a spinning ball would carry the proxy around itself
     Motion motion_;
     Mobility mobility_;
     double step_ = 0;
@@ -129,7 +131,9 @@ private:
     std::optional<Material> material_;
     Solid solid_;
     std::shared_ptr<const MeshTree> mesh_;
-    bool is_field_ = false; ///< the mesh is that of a heightfield
+    bool is_field_ = false;           ///< the mesh is that of a heightfield
+    bool by_plane_ = false;           ///< the solid is a plane from dCollide()
+    Vector3 point_ = Vector3::Zero(); ///< m; the point of that plane on the surface
 };
 } // namespace ode_predictive_space::haptics
 

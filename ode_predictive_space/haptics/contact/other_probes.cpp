@@ -9,10 +9,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-std::mutex tools_mutex; // of the tools
+std::mutex tools_mutex;
 std::atomic<std::uint64_t> tools_version{0};
 
-/// Never destroyed: probes can be static objects.
+/// Never destroyed, because probes can be static objects.
 std::vector<ProbeTool> &tools()
 {
     static auto *const tools = new std::vector<ProbeTool>;

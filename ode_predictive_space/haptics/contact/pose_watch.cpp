@@ -11,11 +11,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-// What ODE has stepped is at these times its velocity, but for rounding and the curve of a turn.
+// A stepped body moves by its velocity, except for rounding and the curvature of a rotation.
 constexpr double explained = 1.05;
 constexpr double rounding = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-2; // m/s
 
-/// About the centre, from one pose to another.
 Motion between(const Pose &before, const Pose &now, const Vector3 &centre, double seconds)
 {
     const Eigen::Matrix3d turn = now.rotation * before.rotation.transpose();
@@ -28,7 +27,7 @@ Motion between(const Pose &before, const Pose &now, const Vector3 &centre, doubl
 Pose pose_of(dGeomID geom)
 {
     Pose pose;
-    dVector3 in_scene; // by functions that know geoms that cannot be placed, too
+    dVector3 in_scene; // these functions accept planes, too
     dGeomGetRelPointPos(geom, 0, 0, 0, in_scene);
     pose.position = from_ode(in_scene);
     for (int axis = 0; axis < 3; ++axis)

@@ -10,6 +10,14 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
+constexpr int most_contacts = 256; // of one pair: a mesh gives many, of which one counts
+
+// NaN is deeper than anything, so that it is never overlooked.
+bool is_shallower(const dContactGeom &a, const dContactGeom &b)
+{
+    return !std::isnan(a.depth) && (std::isnan(b.depth) || a.depth < b.depth);
+}
+
 dGeomID make_sphere(dSpaceID space, double radius)
 {
     if (space == nullptr || !(radius > 0) || !std::isfinite(radius))
@@ -54,7 +62,7 @@ ProbeGeom::ProbeGeom(dGeomID geom) : geom_(checked(geom)), tool_(geom)
     }
 }
 
-/// In a locked space body and world are left to the geom for good: to destroy them would move it.
+/// In a locked space the body and its world are leaked, because destroying them would move the geom.
 ProbeGeom::~ProbeGeom()
 {
     if (watched_ != nullptr && may_be_touched())
@@ -100,6 +108,27 @@ void ProbeGeom::set_margin(double margin)
     dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
     if (may_be_touched())
         dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
+}
+
+std::optional<dContactGeom> ProbeGeom::contact_with(dGeomID other)
+{
+    contacts_.resize(most_contacts);
+    const int count = dCollide(tool_, other, most_contacts, contacts_.data(), sizeof(dContactGeom));
+    if (count == 0)
+        return std::nullopt;
+    return *std::max_element(contacts_.begin(), contacts_.begin() + count, is_shallower);
+}
+
+std::optional<dContactGeom> ProbeGeom::contact_with(dGeomID other, const Vector3 &centre, double radius)
+{
+    const dReal *const at = dGeomGetPosition(tool_);
+    const Vector3 before(at[0], at[1], at[2]);
+    dGeomSphereSetRadius(tool_, static_cast<dReal>(radius));
+    place(tool_, centre);
+    const std::optional<dContactGeom> contact = contact_with(other);
+    dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
+    place(tool_, before);
+    return contact;
 }
 
 void ProbeGeom::follow(const ToolState &tool)

@@ -1,56 +1,58 @@
-// The geom by which the probe is in the scene.
+// The probe's geom in the scene.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROBE_GEOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROBE_GEOM_H
 
 #include "ode_predictive_space/haptics/device.h"
 
-#include <ode/common.h>
+#include <ode/contact.h>
 #include <optional>
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
-/// A sphere of the library's own, or a geom of the program: see TouchSensor.
+/// The library's sphere or a geom of the program: see TouchSensor.
 ///
-/// ODE does not tell when a space is destroyed with its geoms, but a geom that is destroyed leaves its body. So a geom of ours in
-/// the space gets a kinematic body of a world of its own, in which nothing happens.
+/// ODE does not report that a space is destroyed with its geoms, but a destroyed geom leaves its body. So a geom in the
+/// space is attached to a kinematic body in a separate, empty world.
 class ProbeGeom
 {
 public:
-    /// Makes a sphere. @throws std::invalid_argument when the radius or the space is not one.
+    /// Makes a sphere. @throws std::invalid_argument for a radius or a space that is not valid.
     ProbeGeom(dSpaceID space, double radius);
 
-    /// Of the program. @throws std::invalid_argument when it is 0, has a body, or cannot be placed.
+    /// Takes a geom of the program. @throws std::invalid_argument when it is 0, has a body, or cannot be placed.
     explicit ProbeGeom(dGeomID geom);
     ~ProbeGeom();
     ProbeGeom(const ProbeGeom &) = delete;
     ProbeGeom &operator=(const ProbeGeom &) = delete;
 
-    /// Whether it was destroyed with its space.
+    /// Whether the geom was destroyed with its space.
     bool is_gone() const;
 
-    /// Whether it may be moved: it is not gone, and not in a space that stays locked.
+    /// Whether the geom may be moved: it exists, and its space is not locked for good.
     bool may_be_touched() const { return !abandoned_ && !is_gone(); }
 
-    /// To compare only: it may be gone.
+    /// For comparisons only: the geom may be gone.
     dGeomID id() const { return geom_; }
 
-    /// Of the tool's place and size.
     dGeomID tool() const { return tool_; }
 
-    double radius() const { return radius_; } ///< m; of a sphere of its own
+    double radius() const { return radius_; } ///< m; of the library's sphere
     double margin() const { return margin_; } ///< m; see TouchSensor::set_margin()
 
-    /// Of a sphere of its own.
     void set_margin(double margin);
 
-    /// See TouchSensor.
+    /// The deepest contact of a geom with the tool, or with a sphere (m); nothing if they do not touch.
+    std::optional<dContactGeom> contact_with(dGeomID other);
+    std::optional<dContactGeom> contact_with(dGeomID other, const Vector3 &centre, double radius);
+
     void abandon_locked_space();
 
-    /// Of the program's: it goes to the tool. One that stays where it is is left alone, so that the space has nothing to do with it.
+    /// Moves a geom of the program to the tool. A geom that stays in place is not touched, to spare the space a notice.
     void follow(const ToolState &tool);
 
-    /// Of a sphere of its own: the tool goes there, and the sphere to the region (m) that is looked into; left alone as above.
+    /// Moves the library's sphere to the region of the search (m), and the tool to its place.
     void look_around(const Vector3 &tool, const Vector3 &centre, double radius);
 
 private:
@@ -59,13 +61,14 @@ private:
     void watch(dGeomID geom);
 
     dGeomID geom_;
-    dGeomID tool_;                          ///< of a sphere of its own, another one: in no space, for dCollide()
+    dGeomID tool_;                          ///< for the library's sphere a second one, in no space, for dCollide()
     dGeomID watched_ = nullptr;             ///< geom_, or a sentinel beside a geom of the program that is in a space
     dBodyID watch_ = nullptr;               ///< of watched_; alone in its world
-    bool abandoned_ = false;                ///< nothing may be done to geom_
+    bool abandoned_ = false;                ///< geom_ must not be touched
     double radius_ = 0;                     ///< m; without the margin
     double margin_ = 0;                     ///< m
     std::optional<Quaternion> orientation_; ///< as set last
+    std::vector<dContactGeom> contacts_;    ///< buffer for dCollide()
 };
 } // namespace ode_predictive_space::haptics
 

@@ -8,7 +8,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// @param geom may be 0. @return 0 when it is in no space.
 inline dSpaceID outermost_space_of(dGeomID geom)
 {
     dSpaceID outermost = nullptr;

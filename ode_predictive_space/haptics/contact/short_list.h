@@ -1,4 +1,4 @@
-// Lists of what there is in a tick: short enough to be looked through.
+// Linear search in the short lists of a tick.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SHORT_LIST_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SHORT_LIST_H
@@ -8,14 +8,12 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The first element that satisfies the predicate; null when there is none.
 template <typename List, typename Predicate> auto find_in(List &list, const Predicate &is_it)
 {
     const auto found = std::find_if(std::begin(list), std::end(list), is_it);
     return found != std::end(list) ? &*found : nullptr;
 }
 
-/// Removes the elements that satisfy the predicate. The others keep their order.
 template <typename List, typename Predicate> void remove_from(List &list, const Predicate &is_it)
 {
     list.erase(std::remove_if(std::begin(list), std::end(list), is_it), std::end(list));

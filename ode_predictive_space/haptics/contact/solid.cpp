@@ -7,7 +7,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Of a ball about a centre. In its very middle any way out is as good.
+/// The feature of a ball; at its centre, the normal is arbitrary.
 SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, double radius)
 {
     SurfaceFeature feature;
@@ -19,7 +19,6 @@ SurfaceFeature nearest_of_ball(const Vector3 &point, const Vector3 &centre, doub
     return feature;
 }
 
-/// @param half m; of the sides.
 SurfaceFeature nearest_of_box(const Vector3 &point, const Vector3 &half)
 {
     SurfaceFeature feature = nearest_of_ball(point, point.cwiseMax(-half).cwiseMin(half), 0);
@@ -97,6 +96,15 @@ Solid Solid::sphere(double radius)
     Solid solid;
     solid.size_ = Vector3(radius, 0, 0);
     solid.class_ = dSphereClass;
+    return solid;
+}
+
+Solid Solid::half_space(const Vector3 &point, const Vector3 &normal)
+{
+    Solid solid;
+    solid.size_ = normal;
+    solid.height_ = normal.dot(point);
+    solid.class_ = dPlaneClass;
     return solid;
 }
 

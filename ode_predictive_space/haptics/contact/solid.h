@@ -1,4 +1,4 @@
-// Surfaces: what of one is nearest to a point, and the primitives of ODE as solids.
+// Features of surfaces near a point, and the primitives of ODE as solids.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SOLID_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SOLID_H
@@ -21,29 +21,29 @@ struct SurfaceFeature
 
 using SurfaceFeatures = std::vector<SurfaceFeature>;
 
-/// A box, sphere, capsule, cylinder or half-space, in its own frame.
 class Solid
 {
 public:
-    /// Unknown when the geom is of another class.
+    /// Reads a geom; unknown for other classes.
     static Solid of(dGeomID geom);
 
-    /// @param radius m.
     static Solid sphere(double radius);
+
+    static Solid half_space(const Vector3 &point, const Vector3 &normal);
 
     bool is_known() const { return class_ != unknown; }
 
-    /// Whether it looks the same however it is turned.
     bool is_ball() const { return class_ == dSphereClass; }
 
-    /// The place of its surface that is nearest. A point inside has a negative distance, and the normal is the way out.
+    /// The nearest feature of the surface. Inside, the distance is negative and the normal points outwards.
     SurfaceFeature nearest(const Vector3 &point) const;
 
 private:
     static constexpr int unknown = -1;
 
     int class_ = unknown; ///< ODE's
-    /// m; half the sides of a box; else radius and half of the length, 0 of a sphere. Of a half-space its normal.
+    /// m; half the sides of a box, radius and half length of a capsule or cylinder, radius of a sphere, normal of a
+    /// half-space.
     Vector3 size_ = Vector3::Zero();
     double height_ = 0; ///< m; of a half-space's surface, along its normal
 };

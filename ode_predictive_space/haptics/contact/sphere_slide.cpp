@@ -16,16 +16,15 @@ constexpr int most_refinements = 24;
 constexpr double short_step = 0.1;     // of the clearance
 constexpr double arrived = 1e-9;       // of the radius: a step that is shorter is the last
 constexpr double shortest_look = 0.05; // of the radius
-constexpr std::size_t searches = 4;    // of a run, when each visits as many triangles as it may
+constexpr std::size_t searches = 4;    // of a run, if each visits its maximum of triangles
 constexpr double shorter_look = 0.125; // after a search that found too many triangles
 constexpr double part_of_clearance = 0.9;
 constexpr double smallest_step = 1e-6; // of the radius; away from a surface that the centre lies on
 constexpr double allowed_entry = 5e-4; // of the radius; how deep a step may bring the sphere into a surface
 constexpr double shortest_try = 1e-5;  // of the radius; of a step that entered a surface and is tried again
-constexpr double yielding_cell = 1e-3; // of planes that leave no place: what only cancels stays small
-constexpr double squeezed = 2;         // times the radius; how far apart geoms that squeeze it see the sphere
+constexpr double yielding_cell = 1e-3; // of planes that leave no place; keeps opposing shares small
+constexpr double squeezed = 2;         // radii; distance between the places of geoms that squeeze the sphere
 
-/// How far a step may go.
 double longest_step(const SlidePlace &place, double look, double radius)
 {
     const bool within = place.geom->is_solid() && place.clearance <= 0;
@@ -33,7 +32,7 @@ double longest_step(const SlidePlace &place, double look, double radius)
                   : std::min(look, std::max(part_of_clearance * place.clearance, smallest_step * radius));
 }
 
-/// What part of a step that begins in a ball ends in it.
+/// The part of a step, 0 to 1, that stays in a ball in which it begins.
 double part_within(const Vector3 &centre, double radius, const Vector3 &from, const Vector3 &to)
 {
     const Vector3 start = from - centre;
@@ -112,8 +111,8 @@ Vector3 SphereSlide::unhindered(const Task &task)
     return part == 1 ? task.goal : Vector3(task.start + part * way);
 }
 
-/// A single geom whose planes leave no place holds the sphere where it is. The planes in contact get such shares that they lift as far
-/// as there as they can.
+/// A single geom whose planes leave no place holds the sphere where it is. The planes in contact get shares whose lift
+/// comes nearest to this place.
 void SphereSlide::share_place(const Task &task, const SlidePlace &place)
 {
     const Vector3 lift = place.at - task.goal;
@@ -130,7 +129,7 @@ void SphereSlide::share_place(const Task &task, const SlidePlace &place)
         plane.share = in_contact(plane) ? found++->share : 0;
 }
 
-/// Back to the planes before the step, and with them those of what it entered: the next try goes around these.
+/// Returns to the planes before the step, plus those of entered surfaces, so that the next try avoids them.
 void SphereSlide::keep_entered(const Task &task)
 {
     for (const SlidePlane &plane : planes_)
@@ -139,8 +138,8 @@ void SphereSlide::keep_entered(const Task &task)
     planes_.swap(planes_before_);
 }
 
-/// Whether the last step brought the sphere into a surface, deeper than it was. What is no local minimum of the distance before
-/// a step is no plane, and may be one after it: then a shorter step is due.
+/// Whether the last step moved the sphere deeper into a surface. A place that is no local minimum of the distance
+/// before a step can become one after it; then a shorter step is needed.
 bool SphereSlide::enters(const Task &task, const std::vector<SlidePlace> &places) const
 {
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -152,9 +151,7 @@ bool SphereSlide::enters(const Task &task, const std::vector<SlidePlace> &places
     return false;
 }
 
-/// A step of all, to the targets or as far towards them as is safe.
-///
-/// @return m; the longest way.
+/// Moves all places to their targets, or towards them as far as is safe.
 double SphereSlide::go(bool common, double look, double most, const Task &task, std::vector<SlidePlace> &places)
 {
     double part = 1;
@@ -171,13 +168,10 @@ double SphereSlide::go(bool common, double look, double most, const Task &task, 
     }
     for (std::size_t i = 0; i < places.size(); ++i)
         places[i].at = part == 1 ? targets_[i] : places[i].at + part * (targets_[i] - places[i].at);
-    arrives_ = part == 1;
     return part * longest;
 }
 
-/// Gathers what is within a distance ahead, or within a shorter one when there is too much.
-///
-/// @return false when the triangles are used up.
+/// Gathers surfaces within the search distance, which is reduced if there are too many.
 bool SphereSlide::search(const Task &task, double &look, std::vector<SlidePlace> &places)
 {
     const std::size_t at_once = std::max<std::size_t>(1, task.triangles / searches);
@@ -190,7 +184,7 @@ bool SphereSlide::search(const Task &task, double &look, std::vector<SlidePlace>
     return false;
 }
 
-/// After a step, which is taken back when the triangles are used up.
+/// Searches after a step, which is undone when the budget is used up.
 bool SphereSlide::search_again(const Task &task, double &look, std::vector<SlidePlace> &places)
 {
     planes_.swap(planes_before_);
@@ -201,7 +195,7 @@ bool SphereSlide::search_again(const Task &task, double &look, std::vector<Slide
     return false;
 }
 
-/// @return false when there are more triangles: then planes are missing.
+/// @return false when triangles, and so planes, are missing.
 bool SphereSlide::gather(const Task &task, double look, std::size_t most, std::vector<SlidePlace> &places)
 {
     planes_.clear();
@@ -228,7 +222,7 @@ bool SphereSlide::find_target(const Vector3 &goal)
     return found;
 }
 
-/// The planes that carry the sphere at the target, as they are from there. @return whether there is a place.
+/// Evaluates the carrying planes at the target. @return whether a place exists.
 bool SphereSlide::turn_planes(const Task &task, const std::vector<SlidePlace> &places)
 {
     for (std::size_t i = 0; i < planes_.size(); ++i)
@@ -244,7 +238,7 @@ bool SphereSlide::turn_planes(const Task &task, const std::vector<SlidePlace> &p
     return find_closest_point(constraints_);
 }
 
-/// To the target: so short that all surfaces are nearly as far from there as from here, and to the same side.
+/// Whether the step to the target is so short that distances and sides of all surfaces stay about the same.
 bool SphereSlide::is_short_step(const std::vector<SlidePlace> &places) const
 {
     return std::all_of(places.begin(), places.end(), [&](const SlidePlace &place) {
@@ -252,9 +246,9 @@ bool SphereSlide::is_short_step(const std::vector<SlidePlace> &places) const
     });
 }
 
-/// Around an edge the steps alone would come nearer by the same factor each time: depth over radius. A turned plane allows
-/// places behind the plane that it replaces. This is safe for a short step, because the next step meets what is there. On a flat face of which only
-/// edges are found, each turned plane leads farther away: then the target stays as it was.
+/// Around an edge, plain steps converge slowly, by the factor depth / radius. A turned plane allows places behind the
+/// plane that it replaces, which is safe for a short step because the next step finds the surfaces there. On a flat
+/// face whose edges alone are found, turned planes diverge; then the target is kept.
 void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> &places)
 {
     const Vector3 unrefined = target_;
@@ -275,8 +269,8 @@ void SphereSlide::refine_target(const Task &task, const std::vector<SlidePlace> 
     target_ = is_short_step(places) ? target_ : unrefined;
 }
 
-/// Where the sphere would go if there were this geom alone; if even that leaves no place, it stays. Not all the way to the
-/// goal: the other geoms hold the sphere.
+/// The target with this geom alone; without one, the sphere stays. The distance is bounded, because the other geoms
+/// hold the sphere.
 Vector3 SphereSlide::target_of(std::size_t place, const Task &task, const std::vector<SlidePlace> &places)
 {
     const Vector3 way = task.goal - task.start;

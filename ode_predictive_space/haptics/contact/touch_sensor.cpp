@@ -18,49 +18,56 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t steps_of_tick = 16000; // of reading meshes
-constexpr int most_contacts = 256;           // of one pair: a mesh gives many, of which one counts
-
-// NaN is deeper than anything, so that it is never overlooked.
-bool is_shallower(const dContactGeom &a, const dContactGeom &b)
-{
-    return !std::isnan(a.depth) && (std::isnan(b.depth) || a.depth < b.depth);
-}
 } // namespace
 
 class TouchSensor::Parts
 {
 public:
-    /// As a ProbeGeom is made.
     template <typename... Arguments> explicit Parts(Arguments... arguments) : geom(arguments...)
     {
         touches.reserve(touch_capacity);
         collided.reserve(touch_capacity);
-        contacts.resize(most_contacts);
         place.radius = geom.radius();
     }
 
-    /// @return false when only dCollide() knows its surface.
-    bool hold(dGeomID other)
+    void hold(dGeomID other)
     {
+        const Motion motion = poses.motion_of(other, pose_of(other), place.centre, place.tick);
         std::optional<NearbyGeom> nearby = NearbyGeom::read(other, meshes, tracker->touched_triangles(other));
-        if (!nearby)
-            return false;
-        if (!nearby->is_finite())
-        {
-            nonsense = true;
-            return true;
-        }
-        nearby->set_motion(poses.motion_of(other, pose_of(other), place.centre, place.tick));
-        if (excluded.excludes(*nearby, place))
-            return true;
+        const bool by_plane = !nearby;
+        if (by_plane)
+            nearby = behind_plane(other);
+        nonsense = nonsense || (nearby && !nearby->is_finite());
+        if (!nearby || !nearby->is_finite())
+            return;
+        nearby->set_motion(motion);
+        const double depth = place.radius - nearby->distance(place.centre, place.radius);
+        if (by_plane ? excluded.excludes(other, depth, place) : excluded.excludes(*nearby, place))
+            return;
         if (const dBodyID body = dGeomGetBody(other))
             bodies.keep(body);
         nearby->set_material(material_of(other));
         tracker->add_if_near(std::move(*nearby));
-        return true;
     }
 
-    /// The tools of other probes. Both feel the softer one's stiffness, so that both feel the same force.
+    /// A geom whose surface dCollide() alone knows. The contact is that of a sphere that covers the region of the
+    /// search, about the proxy, or about the tool where each object is felt alone.
+    std::optional<NearbyGeom> behind_plane(dGeomID other)
+    {
+        const bool alone = wanted.view == TouchView::each_object_alone;
+        const Vector3 centre = alone ? tracker->tool() : tracker->start_beside(other);
+        const ContactTracker::Region region = tracker->region();
+        const double radius = (region.centre - centre).norm() + region.radius;
+        const std::optional<dContactGeom> contact = geom.contact_with(other, centre, radius);
+        if (!contact)
+            return std::nullopt;
+        const Vector3 normal = from_ode(contact->normal);
+        const Vector3 point = centre - (radius - static_cast<double>(contact->depth)) * normal;
+        nonsense = nonsense || !point.allFinite();
+        return point.allFinite() ? std::optional(NearbyGeom::behind_plane(other, point, normal)) : std::nullopt;
+    }
+
+    /// Adds the tools of other probes. Both use the lower stiffness, so that both feel the same force.
     void hold_other_probes()
     {
         others.update();
@@ -95,12 +102,11 @@ public:
     void collide(dGeomID other)
     {
         const Motion motion = poses.motion_of(other, pose_of(other), place.centre, place.tick);
-        const int count = dCollide(geom.tool(), other, most_contacts, contacts.data(), sizeof(dContactGeom));
-        if (count > 0)
-            add(*std::max_element(contacts.begin(), contacts.begin() + count, is_shallower), other, motion);
+        if (const std::optional<dContactGeom> contact = geom.contact_with(other))
+            add(*contact, other, motion);
     }
 
-    // ODE's normal is the way out for the first of the two geoms, which is the probe.
+    // ODE's normal points out of the second geom, towards the probe.
     void add(const dContactGeom &contact, dGeomID other, const Motion &motion)
     {
         Touch touch;
@@ -159,12 +165,11 @@ public:
         exceeds_capacity = keep_within_capacity(touches) || exceeds_capacity;
     }
 
-    /// By the force law and the program.
     struct Wanted
     {
         MaterialOf materials;
         TouchView view = TouchView::each_object_alone;
-        double stiffness = 0; ///< N/m; of what has no material of its own
+        double stiffness = 0; ///< N/m; for objects without a material
     };
 
     ProbeGeom geom;
@@ -176,12 +181,11 @@ public:
     BodyWatch bodies;
     Wanted wanted;
     std::vector<Touch> touches;
-    std::vector<Touch> collided;        ///< by dCollide()
-    std::vector<dContactGeom> contacts; ///< most_contacts of them, for dCollide() to write to
-    ProbePlace place;                   ///< begins by forget_sides(), until touches are asked for
+    std::vector<Touch> collided; ///< by dCollide()
+    ProbePlace place;            ///< `begins` is set from forget_sides() to the next touches()
     bool nonsense = false;
     bool exceeds_capacity = false;
-    bool resolved = true; ///< whether touches has all
+    bool resolved = true; ///< touches is complete
 };
 
 TouchSensor::TouchSensor(dSpaceID space, double radius) : parts_(std::make_unique<Parts>(space, radius))
@@ -293,7 +297,7 @@ void TouchSensor::clear()
     parts_->nonsense = false;
     if (parts_->tracker)
     {
-        parts_->resolve(); // a tick whose touches were not asked for counts all the same
+        parts_->resolve(); // also for a tick whose touches were not queried
         parts_->tracker->begin();
         parts_->touches.clear();
     }
@@ -314,7 +318,7 @@ void TouchSensor::pose(const ToolState &tool)
     parts_->tracker->aim(tool.position);
     parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
-    const double reach = PoseWatch::fastest * parts_->place.tick; // m; from there geoms may come in a tick
+    const double reach = PoseWatch::fastest * parts_->place.tick; // m; the distance that a geom may travel in a tick
     geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - geom.margin()));
     parts_->resolved = false;
 }
@@ -332,9 +336,11 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
     {
         if (!parts_->tracker)
             parts_->collide(probe->sphere);
-        return true; // a sphere finds it by itself
+        return true; // OtherProbes has it
     }
-    if (!parts_->tracker || !parts_->hold(other))
+    if (parts_->tracker)
+        parts_->hold(other);
+    else
         parts_->collide(other);
     return true;
 }

@@ -1,4 +1,4 @@
-// The vertices of a mesh by their places.
+// The vertices of a mesh by position.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_VERTEX_TABLE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_VERTEX_TABLE_H
@@ -12,12 +12,11 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A hash table in parts: no call takes longer than one part takes to grow.
+/// A hash table in parts, so that no call takes longer than one part takes to grow.
 class VertexTable
 {
 public:
-    /// @param vertices are those that this call has appended so far.
-    /// @return the number of the vertex with exactly these coordinates, which is appended if there is none.
+    /// @return the number of the vertex with exactly these coordinates. A new one is appended.
     std::uint32_t number_of(const Vector3 &place, std::vector<Vector3> &vertices)
     {
         const std::uint64_t hash = hash_of(place);
@@ -39,11 +38,11 @@ private:
 
     struct Part
     {
-        std::vector<std::uint32_t> slots; ///< numbers of vertices, or none; as many as a power of two
+        std::vector<std::uint32_t> slots; ///< numbers of vertices, or none; the size is a power of two
         std::size_t used = 0;
     };
 
-    /// By bits, so that also those that are no numbers are found again.
+    /// Compares bits, so that NaN equals itself.
     static bool is_same(const Vector3 &a, const Vector3 &b)
     {
         return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
@@ -62,7 +61,6 @@ private:
         return hash;
     }
 
-    /// The one that has the place, or the free one where it belongs.
     std::uint32_t &slot_of(const Vector3 &place, std::uint64_t hash, Part &part, const std::vector<Vector3> &vertices)
     {
         std::size_t slot = hash / parts_.size() % part.slots.size();

@@ -10,14 +10,14 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int passes = 3;                      // of the method of multipliers
-constexpr int most_newton_steps = 64;          // of Newton's method; it ends after a few
+constexpr int most_newton_steps = 64;          // of Newton's method; it needs a few
 constexpr int most_halvings = 40;              // of a step
-constexpr double shortest_newton_step = 1e-12; // of the deepest plane: a step that is shorter is none
-constexpr double least_descent = 0.1;          // of what the slope says that a step descends
+constexpr double shortest_newton_step = 1e-12; // of the deepest plane; ends the search
+constexpr double least_descent = 0.1;          // of the descent that the slope predicts
 
-/// How far a surface gives way in each pass of find_yielding_place(), in parts of the way that its body goes in a tick by the force.
-/// Three passes act on touches that oppose each other as one pass with 0.75 does. From 0.25 on, light bodies do not swing more and more in
-/// any arrangement of touches.
+/// Compliance of a surface in each pass of find_yielding_place(), as a multiple of its body's displacement by the force
+/// in a tick. Three passes act on opposing touches as one pass with 0.75 does. From 0.25 on, the oscillation of light
+/// bodies does not grow in any arrangement of touches.
 constexpr double yielding = 2.25;
 
 /// The bound of a share is the largest of three: the depth of the deepest plane, `hardest` times the plane's own depth / yield, and
@@ -35,15 +35,13 @@ constexpr double hardest_of_heavy = 1.2;
 
 using Planes = std::vector<ConstraintPlane>;
 
-/// m; how far a place is behind a plane that gives way to all but the share that it has.
+/// m; the depth of a place behind a plane that keeps its share and yields to the rest.
 double remaining_depth(const ConstraintPlane &plane, const Vector3 &place)
 {
     return std::max(0.0, plane.depth + plane.yield * plane.share - plane.normal.dot(place));
 }
 
-/// m; how far a place counts as behind a plane at most: behind what no push moves, without a bound.
-///
-/// @param place where each plane gives way once. @param deepest m; of all planes.
+/// m; the bound of the depth behind a plane; infinite for a surface that no push moves.
 double most_behind(const ConstraintPlane &plane, const Vector3 &place, double deepest)
 {
     if (plane.yield <= rigid_yield)
@@ -64,7 +62,7 @@ double cost(const Planes &planes, const Vector3 &place)
     return sum / 2;
 }
 
-/// Newton's method: exact as soon as the planes that carry are known.
+/// Newton's method, which is exact once the carrying planes are known.
 class Search
 {
 public:
@@ -77,7 +75,6 @@ public:
     const Vector3 &place() const { return place_; }
 
 private:
-    /// @return false when this was the last step.
     bool go()
     {
         Vector3 gradient = place_;

@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// How far a surface gives way per share, to the force of a tick.
+/// The compliance of a surface per share, for the force of a tick.
 ///
 /// @param stiffness N/m. @param mobility 1/kg; of the surface along its normal. @param seconds of the tick.
 double yield_of(double stiffness, double mobility, double seconds);

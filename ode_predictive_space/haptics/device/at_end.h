@@ -1,4 +1,4 @@
-// A function that is called on every way out of a scope.
+// A function that runs at the end of a scope.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
@@ -8,8 +8,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Calls a function when it is destroyed; default-constructed, none. Assigning swaps the functions. A function that captures no more than
-/// two pointers is kept without allocating.
+/// Calls a function when it is destroyed. Assignment swaps the functions. A function that captures at most two pointers
+/// needs no allocation.
 class AtEnd
 {
 public:

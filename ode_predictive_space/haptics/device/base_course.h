@@ -1,4 +1,4 @@
-// The place of a device's workspace in the scene, and the motion of its base between two steps of the scene.
+// Placement of a device's workspace, and motion of its base between two steps of the scene.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_BASE_COURSE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_BASE_COURSE_H
@@ -11,25 +11,23 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The scene's thread gives a place for each of its steps. The servo takes the base there evenly within the time of one step: the base
-/// never overshoots, and it stands still when the scene is late.
+/// The scene's thread sets a target in each step. The servo moves the base there evenly within one step: it never
+/// overshoots, and stops when the scene is late.
 class BaseCourse
 {
 public:
-    /// From the scene's thread. @throws std::invalid_argument as WorkspaceMapping::move_base() does with these scales.
+    /// For the scene's thread. @throws std::invalid_argument as WorkspaceMapping::move_base() does with these scales.
     void aim(const WorkspacePlacement &scales, const WorkspacePlacement &placement, const BaseMotion &motion)
     {
         WorkspacePlacement before;
         before.scale = scales.scale;
         before.force_scale = scales.force_scale;
-        WorkspaceMapping(before).move_base(placement, motion); // throws, where the servo must not
+        WorkspaceMapping(before).move_base(placement, motion); // throws here, because the servo must not
         aims_.draft() = {placement, motion};
         aims_.publish();
     }
 
-    /// The servo's: a tick begins.
-    ///
-    /// @param elapsed s; since the tick before. @param step s; of the scene.
+    /// For the servo: moves the base in a tick.
     void follow(double elapsed, double step, WorkspaceMapping &mapping)
     {
         if (aims_.take())
@@ -47,7 +45,7 @@ public:
         mapping.move_base(base, aim.motion);
     }
 
-    /// The servo's: the base was put elsewhere.
+    /// For the servo: the base was put elsewhere.
     void forget()
     {
         aims_.take();
@@ -58,7 +56,6 @@ public:
 private:
     static constexpr double rounding = 1e-6; // of a period that is a sum of ticks
 
-    /// The placement of the base at the end of a step of the scene.
     struct Aim
     {
         WorkspacePlacement placement;
@@ -73,12 +70,11 @@ private:
     }
 
     Snapshot<Aim> aims_;
-    double left_ = 0; ///< s; until the base is there
+    double left_ = 0; ///< s; remaining time
     bool moves_ = false;
 };
 
-/// The place of the device's workspace in the scene, which follows from the program, the clutch and the base. Only the servo's thread uses it,
-/// except for base.aim().
+/// Placement of the workspace by the program, the clutch and the base. For the servo's thread, except base.aim().
 struct HandWorkspace
 {
     explicit HandWorkspace(const WorkspacePlacement &placement) : mapping(placement) {}
@@ -96,7 +92,7 @@ struct HandWorkspace
         clutch_released = was_held && !held;
     }
 
-    /// Whether the clutch was released, and nothing has been rendered since. Once for each release.
+    /// Whether the clutch was released since the last call.
     bool take_release() { return std::exchange(clutch_released, false); }
 
     WorkspaceMapping mapping;

@@ -1,4 +1,4 @@
-// Errors for numbers that cannot be meant.
+// Validation of numbers.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CHECK_ARGUMENT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CHECK_ARGUMENT_H

@@ -1,4 +1,4 @@
-// What the states of a device say of its motion and its delay.
+// Motion of a device from its states.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_MOTION_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_MOTION_H
@@ -11,21 +11,20 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Follows a device from state to state: a device that has never told a velocity but zero gets one from its positions, and how fast the
-/// positions change is known whatever the device tells. Angular velocities are left as they are. Neither allocates nor locks.
+/// Measures speed from positions, and fills in the velocity of devices that report none. Angular velocities are
+/// unchanged. Neither allocates nor locks.
 class DeviceMotion
 {
 public:
-    /// @param rate Hz, > 0; of the device: how often it can have a new position.
     explicit DeviceMotion(double rate) : period_(1 / rate) {}
 
-    /// The next state; its velocity is filled in where the device tells none (smoothed over some 2 ms).
+    /// Takes the next state, and fills in its velocity (smoothed over some 2 ms) if the device reports none.
     void follow(DeviceState &state)
     {
-        tells_velocity_ = tells_velocity_ || !state.linear_velocity.isZero(0);
+        reports_velocity_ = reports_velocity_ || !state.linear_velocity.isZero(0);
         if (!last_)
             last_ = measured_ = state;
-        // A device cannot have moved for less than its period, whatever two reads say of their times.
+        // A device moves for at least its period, whatever the times of two reads.
         speed_ = (state.position - last_->position).norm() / std::max(period_, state.time - last_->time);
         last_ = state;
         const double elapsed = state.time - measured_.time;
@@ -35,14 +34,13 @@ public:
             velocity_ += (1 - std::exp(-elapsed / smoothing)) * (mean - velocity_);
             measured_ = state;
         }
-        if (!tells_velocity_)
+        if (!reports_velocity_)
             state.linear_velocity = velocity_;
     }
 
-    /// m/s; between the last two positions. 0 after the first.
+    /// m/s; between the last two positions, 0 after the first.
     double speed() const { return speed_; }
 
-    /// What comes next has nothing to do with what was.
     void forget()
     {
         last_.reset();
@@ -52,49 +50,16 @@ public:
 
 private:
     static constexpr double smoothing = 0.002;   ///< s
-    static constexpr double whole_period = 0.99; ///< of one: times are rounded
+    static constexpr double whole_period = 0.99; ///< tolerance for rounded times
 
     double period_; ///< s
-    bool tells_velocity_ = false;
+    bool reports_velocity_ = false;
     double speed_ = 0;
     std::optional<DeviceState> last_;
-    DeviceState measured_; ///< at least a period before: from there on, the velocity is measured
+    DeviceState measured_; ///< beginning of the present measurement
     Vector3 velocity_ = Vector3::Zero();
 };
 
-/// The delay by which a device tells its position, from the time stamps of its states. It is the largest mean over some
-/// hundred readings: a mean, so that a single late state does not change it; the largest, so that the rendered stiffness does not vary.
-class DelayMeter
-{
-public:
-    /// @param age s; from the time stamp of a state to when it was read. Out of reason (below 0, above 0.1): not counted.
-    /// @param period s; of the device or the loop, the longer one: a state may be that old without being late.
-    void note(double age, double period)
-    {
-        if (!(age >= 0 && age <= oldest))
-            return;
-        sum_ += age;
-        if (++count_ < readings)
-            return;
-        const double mean = std::max(0.0, sum_ / readings - period);
-        if (mean > grown * delay_)
-            delay_ = mean;
-        sum_ = 0;
-        count_ = 0;
-    }
-
-    /// s; 0 before there is a mean.
-    double delay() const { return delay_; }
-
-private:
-    static constexpr int readings = 200;  ///< of which a delay is the mean
-    static constexpr double oldest = 0.1; ///< s
-    static constexpr double grown = 1.1;  ///< times the delay so far: less is the noise of the mean
-
-    double sum_ = 0; ///< s
-    int count_ = 0;
-    double delay_ = 0; ///< s
-};
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -19,8 +19,7 @@ double least_jerk_slope(double u)
     return 30 * u * u * (1 - u) * (1 - u);
 }
 
-// Drawn again until it lies in the workspace: from any point of a cube, reaches of up to its side have room in some
-// direction.
+// Draws until the target is in the workspace; a reach of up to its side fits in some direction.
 Vector3 draw_target(const HandPathSettings &settings, const Vector3 &from, Random &random)
 {
     while (true)
@@ -49,16 +48,11 @@ HandPath::HandPath(const HandPathSettings &settings, std::uint64_t seed) : setti
 
 Vector3 HandPath::position(double time)
 {
-    return intended_position(time) +
-           settings_.scale * tremor([time](const Sine &sine) { return std::sin(sine.rate * time + sine.phase); });
-}
-
-Vector3 HandPath::intended_position(double time)
-{
     const Reach &reach = reach_at(time);
     const double u = std::clamp((time - reach.start) / reach.duration, 0.0, 1.0);
     const Vector3 hand = reach.from + least_jerk(u) * (reach.to - reach.from);
-    return settings_.centre + settings_.scale * hand;
+    const auto sway = [time](const Sine &sine) { return std::sin(sine.rate * time + sine.phase); };
+    return settings_.centre + settings_.scale * hand + settings_.scale * tremor(sway);
 }
 
 Vector3 HandPath::velocity(double time)
@@ -68,12 +62,6 @@ Vector3 HandPath::velocity(double time)
     const Vector3 hand = least_jerk_slope(u) / reach.duration * (reach.to - reach.from);
     const auto slope = [time](const Sine &sine) { return sine.rate * std::cos(sine.rate * time + sine.phase); };
     return settings_.scale * (hand + tremor(slope));
-}
-
-std::array<double, 2> HandPath::reach_times(double time)
-{
-    const Reach &reach = reach_at(time);
-    return {reach.start, reach.start + reach.duration};
 }
 
 void HandPath::draw_ahead(double seconds)

@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Of errors taken at once. An error that comes up again while it is taken must not keep the servo thread.
+/// Maximum of errors in one call, because a recurring error must not block the servo thread.
 constexpr int most_errors_at_once = 32;
 
 struct KnownError
@@ -48,14 +48,13 @@ KnownError known_error(std::uint32_t code)
     return found != std::end(known_errors) ? *found : KnownError{code, "unknown error", HdConsequence::failed};
 }
 
-/// @throws DeviceError missing_library.
 void *load_first_of(const std::vector<std::string> &files)
 {
     std::string reasons;
     for (const std::string &file : files)
     {
-        // Never unloaded: see the class. All symbols at once, so that what is missing shows here and not in the servo
-        // thread.
+        // Never unloaded: see the class. All symbols are resolved now, so that a missing one fails here and not in the
+        // servo thread.
         if (void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE))
             return handle;
         reasons += std::string(reasons.empty() ? "" : "; ") + dlerror();
@@ -63,7 +62,7 @@ void *load_first_of(const std::vector<std::string> &files)
     throw DeviceError(DeviceFault::missing_library, "OpenHaptics: the library cannot be loaded: " + reasons);
 }
 
-/// Where a loaded symbol really is: the file may have been found on a search path, or under a second name.
+/// The file of a loaded symbol, after search paths and links.
 std::string file_of(void *symbol)
 {
     Dl_info info{};
@@ -102,7 +101,7 @@ HdFault HdLibrary::take_errors() const
         const hd::ErrorInfo error = functions_.get_error();
         if (error.code == hd::success)
             break;
-        // The newest comes first: of two as grave, the later one of this loop is the older.
+        // The newest error comes first, so of equal ones the later in this loop is older.
         const bool is_pause = consequence_of(error.code) == HdConsequence::pause;
         if (!is_pause || !gravest || consequence_of(gravest.code) == HdConsequence::pause)
             gravest = {error.code, error.internal_code};

@@ -1,5 +1,5 @@
-// OpenHaptics' HD library, loaded at run time: what of its binary interface we use, by our own declarations of types, numbers and
-// functions, and what its errors mean to us.
+// OpenHaptics' HD library, loaded at run time, with declarations of the used part of its binary interface and the
+// meaning of its errors.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_HD_LIBRARY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_HD_LIBRARY_H
@@ -18,7 +18,6 @@ using Boolean = std::uint8_t;
 using SchedulerHandle = unsigned long;
 using Callback = std::uint32_t (*)(void *);
 
-/// Returned by value.
 struct ErrorInfo
 {
     std::uint32_t code;
@@ -31,7 +30,7 @@ constexpr Handle invalid_handle = 0xFFFFFFFF;
 constexpr std::uint32_t callback_continue = 1;
 constexpr std::uint16_t default_priority = 32767;
 
-// What the servo asks for in each frame. Lengths in mm, the rotation's 16 doubles column by column.
+// Queries of each frame; lengths in mm, the transform as 16 doubles in column order.
 constexpr Enum current_buttons = 0x2000;
 constexpr Enum current_position = 0x2050;
 constexpr Enum current_velocity = 0x2051;
@@ -39,7 +38,7 @@ constexpr Enum current_transform = 0x2052;
 constexpr Enum current_angular_velocity = 0x2053;
 constexpr Enum current_force = 0x2700;
 
-// What does not change while the device is in use. Stiffness in N/mm, damping in N s/mm.
+// Constant properties; stiffness in N/mm, damping in N s/mm.
 constexpr Enum device_model_type = 0x2501;
 constexpr Enum usable_workspace = 0x2551;
 constexpr Enum calibration_style = 0x2555;
@@ -48,30 +47,26 @@ constexpr Enum nominal_max_stiffness = 0x2602;
 constexpr Enum nominal_max_force = 0x2603;
 constexpr Enum nominal_max_damping = 0x2609;
 
-// For enable() and disable().
 constexpr Enum force_output = 0x4000;
 constexpr Enum max_force_clamping = 0x4001;
 constexpr Enum force_ramping = 0x4002;
 
-// Answers of check_calibration().
 constexpr Enum calibration_ok = 0x5000;
 constexpr Enum calibration_needs_update = 0x5001;
 
-// Errors that are asked for by their numbers; the others are in hd_library.cpp.
+// Errors that are compared by number; hd_library.cpp has the others.
 constexpr std::uint32_t success = 0;
 constexpr std::uint32_t invalid_license = 0x600;
 
-/// Where a function of the library is; becomes a pointer of the type that is declared for it.
+/// The address of a function, which converts to the declared type.
 struct Symbol
 {
     void *address;
     template <typename Function> operator Function *() const { return reinterpret_cast<Function *>(address); }
 };
 
-/// @throws DeviceError missing_symbol.
 Symbol symbol_of(void *library, const char *name);
 
-/// The library's functions by our names.
 struct Functions
 {
     explicit Functions(void *loaded) : library(loaded) {}
@@ -102,7 +97,6 @@ struct Functions
 
 namespace ode_predictive_space::haptics
 {
-/// What an error in the servo thread leads to.
 enum class HdConsequence
 {
     pause, ///< no force for a while
@@ -112,10 +106,10 @@ enum class HdConsequence
 
 HdConsequence consequence_of(std::uint32_t error_code);
 
-/// As in the library's own header, "HD_WARM_MOTORS"; "unknown error" for a code that is not known.
+/// The name in the library's header, such as "HD_WARM_MOTORS"; "unknown error" for other codes.
 const char *name_of_hd_error(std::uint32_t error_code);
 
-/// An error of the library, or none. Read and written as one number of 64 bits.
+/// An error of the library, or none. It has 64 bits, for lock-free access.
 struct alignas(8) HdFault
 {
     std::uint32_t code = hd::success;
@@ -124,27 +118,21 @@ struct alignas(8) HdFault
     explicit operator bool() const { return code != hd::success; }
 };
 
-/// The library. It stays in the process for good: it may have threads that run on.
+/// The library, which is never unloaded because its threads may continue.
 class HdLibrary
 {
 public:
-    /// Loads the first of the files that can be loaded.
-    ///
     /// @throws DeviceError missing_library with the linker's words for each of the files; missing_symbol.
     explicit HdLibrary(const std::vector<std::string> &files);
 
     const hd::Functions *operator->() const { return &functions_; }
 
-    /// Takes all errors off the library's stack.
-    ///
-    /// @return the oldest of those that are more than a pause, which others follow from; if there is none, the oldest;
-    /// if there is none at all, none.
+    /// @return the oldest error that is more than a pause, otherwise the oldest error, if any.
     HdFault take_errors() const;
 
-    /// "HD_WARM_MOTORS (0x200, internal code 5): " and what the library says of it.
+    /// A text such as "HD_WARM_MOTORS (0x200, internal code 5): ", with the library's explanation.
     std::string describe(const HdFault &fault) const;
 
-    /// What the fault is to those who read and write.
     DeviceError error(const std::string &doing, const HdFault &fault) const;
 
 private:

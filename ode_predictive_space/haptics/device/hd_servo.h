@@ -1,5 +1,4 @@
-// What we do in the servo thread of OpenHaptics' HD library, and the exchange with the thread that reads and writes the
-// device.
+// The callback in the servo thread of OpenHaptics' HD library, and its exchange with the thread that reads and writes.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_HD_SERVO_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_HD_SERVO_H
@@ -16,14 +15,14 @@ namespace ode_predictive_space::haptics
 struct HdSample
 {
     std::uint64_t frame = 0;  ///< counted from 1; 0: no frame yet
-    hd::Enum calibration = 0; ///< what the library said in the first frame
+    hd::Enum calibration = 0; ///< result of the first frame
     DeviceState state;
 };
 
-/// The callback in the servo thread. It never waits, never allocates, never throws.
+/// The callback in the servo thread. It neither waits, allocates nor throws.
 ///
-/// Invariant: a frame sets zero unless the last write is younger than the longest age, no pause is on, nothing has
-/// ended the servo, and it was not asked to rest.
+/// Invariant: a frame sets zero unless the last write is recent, no pause is active, no fault has ended the servo, and
+/// rest() was not called.
 class HdServo
 {
 public:
@@ -33,14 +32,13 @@ public:
         : library_(library), device_(device), longest_age_(longest_age), pause_(pause), age_(longest_age)
     {}
 
-    /// For the library to call; @param servo an HdServo.
     static std::uint32_t callback(void *servo)
     {
         static_cast<HdServo *>(servo)->run_frame();
         return hd::callback_continue;
     }
 
-    // --- Of the thread that reads and writes the device
+    // --- For the thread that reads and writes the device
 
     void write(const Vector3 &force)
     {
@@ -48,28 +46,24 @@ public:
         forces_.publish();
     }
 
-    /// The latest frame. What it tells is good if there is no end() after this call.
+    /// The latest frame; valid if end() has no fault after this call.
     const HdSample &read()
     {
         samples_.take();
         return samples_.latest();
     }
 
-    /// From now on no force.
     void rest() { resting_.store(true, std::memory_order_release); }
 
-    // --- Of any thread
+    // --- For any thread
 
-    /// Frames since rest() in which zero was set.
     std::uint64_t frames_at_rest() const { return frames_at_rest_.load(std::memory_order_acquire); }
 
-    /// The error that a pause began with, told once.
+    /// The error that began a pause, reported once.
     HdFault take_pause() { return begun_pause_.exchange({}, std::memory_order_acq_rel); }
 
-    /// The error for which no force is rendered at the moment.
     HdFault pause() const { return pause_fault_.load(std::memory_order_acquire); }
 
-    /// The error that ended it all.
     HdFault end() const { return end_.load(std::memory_order_acquire); }
 
 private:
@@ -85,7 +79,7 @@ private:
 
         if (const HdFault fault = library_.take_errors())
             note(fault);
-        // What was read in a frame that went wrong may be anything: its reader gets the error, too.
+        // The state of a failed frame may be invalid, so its reader gets the error, too.
         samples_.publish();
     }
 
@@ -94,7 +88,7 @@ private:
         calibration_ = library_->check_calibration();
         if (calibration_ == hd::calibration_needs_update)
         {
-            // The arm lies as it must (in its inkwell, for instance) and the library waits for leave to use that.
+            // The arm is in place (in its inkwell, for instance), and the library waits for permission to calibrate.
             int styles = 0;
             library_->get_integerv(hd::calibration_style, &styles);
             const int first_style = styles & -styles;
@@ -163,7 +157,7 @@ private:
     const std::uint32_t longest_age_;
     const std::uint32_t pause_;
 
-    // Of the servo thread alone.
+    // For the servo thread only.
     std::uint32_t age_;
     std::uint32_t pause_left_ = 0;
     std::uint64_t frame_ = 0;

@@ -49,8 +49,8 @@ void MouseDevice::start()
     seconds_ = 0;
 }
 
-// Each filter follows its input x' = (input - x) / tau. For an input that rests for a while, both have exact solutions,
-// which stay between what they were and the target, however long it takes until the next read().
+// Each filter follows x' = (input - x) / tau. For a constant input the exact solutions stay between the former values
+// and the target, whatever the time until the next read().
 DeviceState MouseDevice::move_to(double seconds)
 {
     const double elapsed = (seconds - seconds_) / settings_.smoothing;

@@ -19,10 +19,10 @@ using namespace std::chrono_literals;
 constexpr auto longest_wait_for_first_frame = 1s;
 constexpr auto longest_wait_for_rest = 100ms;
 
-/// Zero is set in one frame and reaches the motors at its end; the next one proves that it got there.
+/// Zero force reaches the motors at the end of its frame; the next frame confirms that.
 constexpr std::uint64_t frames_for_rest = 2;
 
-constexpr double millimetres_per_metre = 1e3; // the library tells N/mm, mm
+constexpr double millimetres_per_metre = 1e3; // the library uses N/mm and mm
 
 std::vector<std::string> files_of(const OpenHapticsSettings &settings)
 {
@@ -40,7 +40,6 @@ DeviceError hd_error(DeviceFault fault, const std::string &sentence)
     return {fault, "OpenHaptics: " + sentence};
 }
 
-/// The library has one scheduler, and stopping it for one device would stop it for all.
 AtEnd take_scheduler()
 {
     static std::atomic<bool> is_taken{false};
@@ -50,7 +49,6 @@ AtEnd take_scheduler()
     return AtEnd([] { is_taken.store(false); });
 }
 
-/// @return whether it came true in time.
 template <typename Condition> bool wait_for(Condition is_true, std::chrono::milliseconds longest)
 {
     const auto end = std::chrono::steady_clock::now() + longest;
@@ -64,8 +62,7 @@ template <typename Condition> bool wait_for(Condition is_true, std::chrono::mill
 }
 } // namespace
 
-/// From open() to close(). The order of the members is the order of the steps; at the end, and when a step fails, those
-/// that were taken are undone in the opposite order.
+/// An open device. Members are initialised in the order of the steps, and undone in reverse, also when a step fails.
 class OpenHapticsDevice::Session
 {
 public:
@@ -102,16 +99,14 @@ public:
     void write(const Vector3 &force)
     {
         servo_.write(force.allFinite() ? force : Vector3(Vector3::Zero()));
-        throw_fault(servo_.take_pause()); // once: a caller that writes zero because of it has done what is to be done
+        throw_fault(servo_.take_pause()); // once, so that the caller can write zero after it
         if (!force.allFinite())
             throw hd_error(DeviceFault::failed, "a force was written that is not finite; none is rendered");
     }
 
-    /// Why no force is rendered now.
     std::optional<DeviceError> fault() const { return fault_with(servo_.pause()); }
 
 private:
-    /// @throws DeviceError when the library has an error to tell.
     void check(const std::string &doing) const
     {
         if (const HdFault fault = library_.take_errors())
@@ -120,7 +115,7 @@ private:
 
     hd::Handle initialise(const std::string &configuration) const
     {
-        library_.take_errors(); // left over from before
+        library_.take_errors(); // former errors
         const hd::Handle handle = library_->init_device(configuration.empty() ? nullptr : configuration.c_str());
         const HdFault fault = library_.take_errors();
         if (handle != hd::invalid_handle && !fault)
@@ -165,12 +160,12 @@ private:
         capabilities.workspace = {Vector3(corners) / millimetres_per_metre,
                                   Vector3(corners + 3) / millimetres_per_metre};
         check("what " + name_ + " can do cannot be read");
-        // Some drivers measure the rate and have nothing to tell before their servo runs.
+        // Some drivers measure the rate, and report 0 before their servo runs.
         capabilities.rate = rate > 0 ? rate : 1000;
         return capabilities;
     }
 
-    /// With the library's own limits on it.
+    /// Enables the force with the library's own limits.
     void enable_force_output() const
     {
         library_->enable(hd::max_force_clamping);
@@ -190,11 +185,11 @@ private:
                            "position, or calibrate it with the vendor's tool, and open it again");
     }
 
-    /// Before the scheduler stops, zero force is set, and seen by one more frame.
+    /// Sets zero force and waits for one more frame before the scheduler stops.
     void stop()
     {
         servo_.rest();
-        // When the servo thread stands still, the device switches its force output off instead.
+        // If the servo thread hangs, switch_off() removes the force.
         wait_for([this] { return servo_.frames_at_rest() >= frames_for_rest; }, longest_wait_for_rest);
         library_->stop_scheduler();
     }
@@ -209,11 +204,10 @@ private:
         else if (time - time_of_frame_ > silence_timeout)
         {
             is_silent_ = true;
-            servo_.rest(); // should it run again
+            servo_.rest(); // in case it continues
         }
     }
 
-    /// An end or silence, or a pause if there is one.
     std::optional<DeviceError> fault_with(const HdFault &pause) const
     {
         if (const HdFault end = servo_.end())
@@ -233,7 +227,7 @@ private:
 
     AtEnd scheduler_taken_;
     HdLibrary library_;
-    std::string name_; ///< of the device, in messages
+    std::string name_; ///< for messages
     hd::Handle handle_;
     AtEnd initialised_;
     Capabilities capabilities_;
@@ -247,7 +241,7 @@ private:
     bool is_silent_ = false;
 };
 
-// The least of those that are in the field, until open() asks the device.
+// Capabilities of the weakest known device until open().
 OpenHapticsDevice::OpenHapticsDevice(OpenHapticsSettings settings)
     : settings_(std::move(settings)), capabilities_(device_preset("Touch"))
 {

@@ -1,4 +1,4 @@
-// Random numbers that are the same with each standard library.
+// Random numbers that do not depend on the standard library.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RANDOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RANDOM_H
@@ -12,7 +12,7 @@ namespace ode_predictive_space::haptics
 {
 constexpr double full_turn = 2 * 3.14159265358979323846; ///< radians
 
-/// Spreads the bits of a number: a bijection without visible structure (the finaliser of splitmix64).
+/// Mixes the bits of a number by a bijection (the finaliser of splitmix64).
 inline std::uint64_t mix_bits(std::uint64_t x)
 {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -20,14 +20,12 @@ inline std::uint64_t mix_bits(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-/// A stream of random numbers (splitmix64). The distributions of the standard library differ between libraries, these do not.
+/// A stream of random numbers (splitmix64) whose distributions are the same with each standard library.
 class Random
 {
 public:
-    /// The same seed gives the same stream; any will do.
     explicit Random(std::uint64_t seed) : state_(mix_bits(seed)) {}
 
-    /// The stream goes on from a state.
     static Random from(std::uint64_t state)
     {
         Random random(0);
@@ -37,19 +35,14 @@ public:
 
     std::uint64_t state() const { return state_; }
 
-    /// 64 random bits.
     std::uint64_t bits() { return mix_bits(state_ += 0x9e3779b97f4a7c15u); }
 
-    /// Uniform in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
-    /// Uniform in [low, high).
     double uniform(double low, double high) { return low + (high - low) * unit(); }
 
-    /// Uniform in 0 … count - 1.
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(unit() * static_cast<double>(count)); }
 
-    /// Uniform in the box [-half, half].
     Vector3 in_box(const Vector3 &half)
     {
         const double x = uniform(-half.x(), half.x());
@@ -58,7 +51,6 @@ public:
         return {x, y, z};
     }
 
-    /// Uniform on the unit sphere.
     Vector3 direction()
     {
         const double z = uniform(-1, 1);
@@ -67,7 +59,6 @@ public:
         return {radius * std::cos(angle), radius * std::sin(angle), z};
     }
 
-    /// A turn by any angle about any axis.
     Quaternion orientation()
     {
         const Vector3 axis = direction();

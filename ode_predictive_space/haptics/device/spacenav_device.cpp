@@ -26,7 +26,7 @@ Quaternion turned(const Quaternion &orientation, const Vector3 &angle)
     return size > 0 ? Quaternion((Eigen::AngleAxisd(size, angle / size) * orientation).normalized()) : orientation;
 }
 
-/// From counts to a velocity: none within the dead zone, growing steadily from its border, `full` at full deflection.
+/// Velocity from counts: zero in the dead zone, linear from its border to `full` at full deflection.
 Vector3 velocity_of(const Vector3 &counts, double dead_zone, double full)
 {
     const auto rate_of = [&](double count) {
@@ -37,7 +37,6 @@ Vector3 velocity_of(const Vector3 &counts, double dead_zone, double full)
     return counts.unaryExpr(rate_of);
 }
 
-/// A wall, this far from the origin, stops the motion towards it.
 void move(DeviceState &state, const Vector3 &velocity, double step, double wall)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -50,14 +49,13 @@ void move(DeviceState &state, const Vector3 &velocity, double step, double wall)
 }
 } // namespace
 
-/// From open() to close().
 struct SpacenavDevice::Session
 {
     SpnavConnection connection;
     SpnavInput input;
     DeviceState state;
-    double seconds = 0; ///< of the state
-    std::string loss;   ///< empty as long as there is none
+    double seconds = 0;
+    std::string loss; ///< reason; empty while connected
 };
 
 SpacenavDevice::SpacenavDevice(const SpacenavSettings &settings)

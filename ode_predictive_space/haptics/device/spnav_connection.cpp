@@ -11,7 +11,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-// Last: it brings X11's macros with it.
+// Last, because it includes X11's macros.
 #include <spnav.h>
 
 namespace ode_predictive_space::haptics
@@ -20,14 +20,13 @@ namespace
 {
 constexpr const char *usual_socket = "/var/run/spnav.sock";
 
-/// Where libspnav looks for a socket's name; on other systems without the daemon it is not there.
+/// The file in which libspnav looks for the name of a socket.
 constexpr const char *server_settings = "/etc/spnavrc";
 
-/// Of events taken in one call: a server gone wild must not keep the servo loop. Mice send some hundred a second.
+/// Maximum of events in one call, because a faulty server must not block the servo. Mice send some hundred a second.
 constexpr int most_events_at_once = 256;
 
-/// Until the end, writing to a socket without a reader raises no signal in this thread: libspnav writes with write(), and a server
-/// that hangs up must not end the program.
+/// Blocks SIGPIPE in this thread: libspnav uses write(), and a server that hangs up must not end the program.
 AtEnd block_sigpipe()
 {
     sigset_t sigpipe, pending, mask_before;
@@ -43,7 +42,7 @@ AtEnd block_sigpipe()
     });
 }
 
-/// Why a socket cannot be connected to; 0 when it can.
+/// The error number of connecting to a socket; 0 on success.
 int connect_error(const std::string &path)
 {
     sockaddr_un address{};
@@ -68,8 +67,7 @@ DeviceError server_error(const std::string &path, int error)
             "3D mouse: no connection to spacenavd at " + path + ": " + reason};
 }
 
-/// What SPNAV_SOCKET names; empty when it names nothing.
-/// @throws DeviceError in a set-user-ID program, where the environment is the attacker's: libspnav would follow it all the same.
+/// @throws DeviceError in a set-user-ID program, whose environment is not trusted: libspnav would use it.
 std::string named_socket()
 {
     const char *named = std::getenv("SPNAV_SOCKET");
@@ -81,7 +79,6 @@ std::string named_socket()
     return named != nullptr ? named : "";
 }
 
-/// @throws DeviceError when there is no server.
 void open_library()
 {
     if (spnav_fd() != -1)
@@ -93,19 +90,19 @@ void open_library()
     const bool is_named = !named.empty();
     const std::string path = is_named ? named : usual_socket;
     const int error = connect_error(path);
-    // libspnav would fall back on another server than the named one. And it loses memory at each open that fails.
+    // libspnav would fall back to another server, and leaks memory at each failed open.
     if (error != 0 && (is_named || access(server_settings, R_OK) != 0))
         throw server_error(path, error);
-    errno = 0; // libspnav takes an old EINTR for one of its own, and reads on at a closed socket for ever
+    errno = 0; // libspnav mistakes an old EINTR for its own, and reads a closed socket forever
     if (spnav_open() == -1)
         throw server_error(path, error);
 }
 
 enum class Inbox
 {
-    waiting, ///< there is something to be read
+    waiting,
     empty,
-    closed ///< the server has hung up: libspnav does not tell
+    closed ///< the server has hung up; libspnav does not report it
 };
 
 Inbox look_into_inbox()
@@ -122,7 +119,7 @@ DeviceError lost(const std::string &why)
     return {DeviceFault::lost, "3D mouse: " + why};
 }
 
-/// Before each question: at a closed socket libspnav would ask for ever.
+/// Called before each query, because libspnav would wait forever at a closed socket.
 void ensure_server()
 {
     errno = 0;
@@ -130,14 +127,13 @@ void ensure_server()
         throw lost("spacenavd has hung up");
 }
 
-/// @return the mouse's name.
-/// @throws DeviceError not_found, when the server says that it has none; lost.
+/// @throws DeviceError not_found for a server without a mouse; lost.
 std::string find_mouse()
 {
     constexpr const char *unknown = "3D mouse";
     if (spnav_protocol() < 1)
-        return unknown; // an old server, which does not tell
-    // A motion that comes in front of an answer is taken for the answer, and the question has failed.
+        return unknown; // an old server does not report it
+    // libspnav takes a motion event before the answer for the answer, so that the query fails.
     constexpr int attempts = 3;
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
@@ -165,7 +161,7 @@ void take_event(const spnav_event &event, SpnavInput &input)
     switch (event.type)
     {
     case SPNAV_EVENT_MOTION:
-        // The server's z points away from the person, and its turns about that go the other way round.
+        // The server's z axis points away from the person, so its rotation has the opposite sign.
         input.translation = Vector3(event.motion.x, event.motion.y, -event.motion.z);
         input.rotation = Vector3(event.motion.rx, event.motion.ry, -event.motion.rz);
         break;

@@ -10,29 +10,25 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What a mouse tells, in the server's counts, but in our frame: y up, z towards the person.
+/// The input of a mouse in the server's counts, in the library's frame: y up, z towards the person.
 struct SpnavInput
 {
     Vector3 translation = Vector3::Zero();
-    Vector3 rotation = Vector3::Zero(); ///< about an axis along it
+    Vector3 rotation = Vector3::Zero(); ///< rotation vector
     std::uint32_t buttons = 0;
 };
 
-/// libspnav's one connection, from its opening to its closing.
 class SpnavConnection
 {
 public:
-    /// Waits for the server's answers, for a second at most.
+    /// Waits for the server's answers for at most a second.
     ///
     /// @throws DeviceError as SpacenavDevice::open() does.
     SpnavConnection();
 
-    /// The mouse's name, for people.
     const std::string &mouse() const { return mouse_; }
 
-    /// Takes what the server has sent since the last call, without waiting for more.
-    ///
-    /// @throws DeviceError lost, when the server is gone or a mouse unplugged.
+    /// @throws DeviceError lost, for a lost server or an unplugged mouse.
     void receive(SpnavInput &input);
 
 private:

@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double longest_straight_step = 0.0002; // s; for which the target is taken as straight
+constexpr double longest_straight_step = 0.0002; // s; the target path is linear in such a step
 
 Capabilities preset(const char *name, double force, double stiffness, double damping, double radius)
 {
@@ -94,7 +94,7 @@ VirtualDevice::VirtualDevice(const VirtualDeviceSettings &settings, TargetPath t
     if (!target_)
         throw std::invalid_argument("virtual device: the hand has no target");
     capabilities_.name = "virtual " + capabilities_.name;
-    if (settings.tells_delay && capabilities_.rate > 0)
+    if (capabilities_.rate > 0)
     {
         capabilities_.delay =
             std::max(capabilities_.delay, (settings.position_delay + settings.force_delay) / capabilities_.rate);
@@ -119,7 +119,7 @@ DeviceState VirtualDevice::move_to(double seconds)
     const double elapsed = seconds - seconds_;
     move_hand(seconds);
     measure(elapsed);
-    // The force that is written next is the last of the row; until then, the last one goes on.
+    // The next write() sets the last of the row; until then, the last force continues.
     std::rotate(rendered_.begin(), rendered_.begin() + 1, rendered_.end());
     rendered_.back() = limited(last_wrench().force);
     return readings_.front();
@@ -127,7 +127,7 @@ DeviceState VirtualDevice::move_to(double seconds)
 
 void VirtualDevice::write(const Wrench &wrench)
 {
-    rendered_.back().setZero(); // if the wrench is refused
+    rendered_.back().setZero(); // for a refused wrench
     SoftwareDevice::write(wrench);
     rendered_.back() = limited(wrench.force);
 }

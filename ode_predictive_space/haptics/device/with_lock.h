@@ -1,4 +1,4 @@
-// Locks that are free before an exception leaves.
+// A lock that is released before an exception propagates.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_WITH_LOCK_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_WITH_LOCK_H
@@ -8,8 +8,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Carries out the work under the lock. What it throws is thrown when the mutex is free again: an exception that nothing catches
-/// ends the program without unwinding, and a handler that wants the mutex of a guard further up would wait for ever.
+/// Runs the work under the lock, and rethrows its exception after unlocking: an uncaught exception ends the program
+/// without unwinding, and a terminate handler that needs the mutex would wait forever.
 template <typename Work> void with_lock(std::mutex &mutex, const Work &work)
 {
     std::exception_ptr error;

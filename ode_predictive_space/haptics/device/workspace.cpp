@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 Quaternion WorkspacePlacement::z_up()
 {
-    // Exactly: a quarter turn about x, and no other digits.
+    // An exact quarter turn about x.
     const double half = std::sqrt(0.5);
     return Quaternion(half, half, 0, 0);
 }
@@ -25,7 +25,7 @@ WorkspacePlacement WorkspacePlacement::covering(const Eigen::AlignedBox3d &scene
     if (scene.sizes().maxCoeff() <= 0)
         throw std::invalid_argument("the scene must be more than a point");
 
-    // What the device must reach, in its own axes, for each of the scene's corners to be within.
+    // The extent of the scene along the axes of the device.
     const Vector3 half = scene.sizes() / 2;
     const Vector3 reach = rotation.conjugate().toRotationMatrix().cwiseAbs() * half;
 
@@ -113,19 +113,6 @@ ToolState WorkspaceMapping::to_scene(const DeviceState &device) const
     tool.linear_velocity = p.scale * (p.rotation * device.linear_velocity);
     tool.angular_velocity = p.rotation * device.angular_velocity;
     return moved_with_base(tool);
-}
-
-DeviceState WorkspaceMapping::to_device(const ToolState &tool) const
-{
-    const WorkspacePlacement &p = placement_;
-    const Quaternion back = p.rotation.conjugate();
-    DeviceState device;
-    device.position = back * (tool.position - p.offset) / p.scale;
-    device.orientation = back * tool.orientation * grip_.conjugate();
-    const Vector3 base_velocity = motion_.velocity + motion_.spin.cross(tool.position - base_.offset);
-    device.linear_velocity = back * (tool.linear_velocity - base_velocity) / p.scale;
-    device.angular_velocity = back * (tool.angular_velocity - motion_.spin);
-    return device;
 }
 
 Wrench WorkspaceMapping::to_device(const Wrench &scene) const

@@ -1,4 +1,4 @@
-// The touches of a tick: how they are felt, the forces that a law makes of them, and each object's part of what the hand got.
+// The touches of a tick as rendered: the law's forces, and each object's part of the given force.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
@@ -9,7 +9,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Each tick: take(), force(), then give() or give_nothing(). Does not allocate when it has seen as many touches before.
+/// Call order in each tick: take(), force(), then give() or give_nothing(). Does not allocate for a number of touches
+/// that it has seen before.
 class FeltTouches
 {
 public:
@@ -19,18 +20,15 @@ public:
         forces_.reserve(touch_capacity);
     }
 
-    /// Forgets all touches: what is touched next is new.
     void reset()
     {
         manifold_.reset();
         split_.clear();
     }
 
-    /// @return the touches, to get the materials with which they are rendered.
     std::vector<Touch> &take(const std::vector<Touch> &touches) { return felt_ = touches; }
 
     /// @param gap see ContactManifold::follow(). @param released whether the clutch was released in this tick.
-    /// @return N; the law's.
     Vector3 force(ForceLaw &law, const ToolState &tool, double dt, std::optional<double> gap, bool released)
     {
         if (released)
@@ -40,7 +38,7 @@ public:
         return sum_of(forces_);
     }
 
-    /// @param given N; what the hand got of the force().
+    /// @param given N; the written part of force().
     void give(const Vector3 &given)
     {
         if (given.isZero(0))
@@ -51,7 +49,6 @@ public:
 
     void give_nothing() { split_.clear(); }
 
-    /// The force that the hand got last, as a share for each touched object.
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 
 private:

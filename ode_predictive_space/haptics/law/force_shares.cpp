@@ -8,14 +8,13 @@ namespace
 {
 constexpr double parallel = 1e-9; ///< square of the sine between vectors below which they count as parallel
 
-/// How much of b is in a.
 double part_along(const Vector3 &a, const Vector3 &b)
 {
     const double square = b.squaredNorm();
     return square > 0 ? a.dot(b) / square : 0;
 }
 
-/// The parts of the two that together come nearest to what was given. Limits only shorten: neither is more than 1.
+/// The coefficients, 0 to 1, whose combination comes nearest to the given force: limits only shorten.
 Eigen::Vector2d find_mix(const Vector3 &given, const Vector3 &requested, const Vector3 &before)
 {
     const double ww = requested.squaredNorm();
@@ -27,7 +26,7 @@ Eigen::Vector2d find_mix(const Vector3 &given, const Vector3 &requested, const V
     Eigen::Vector2d mix(gw * pp - gp * wp, gp * ww - gw * wp);
     if (determinant > parallel * ww * pp)
         return (mix / determinant).cwiseMax(0).cwiseMin(1);
-    // Of one direction: what is requested now comes first.
+    // Parallel forces: the present request has priority.
     mix[0] = std::clamp(part_along(given, requested), 0.0, 1.0);
     mix[1] = std::clamp(part_along(given - mix[0] * requested, before), 0.0, 1.0);
     return mix;
@@ -44,7 +43,7 @@ Vector3 sum(const std::vector<ForceShare> &shares)
 
 ForceSplit::ForceSplit()
 {
-    shares_.reserve(2 * touch_capacity); // those of touches, and of those before
+    shares_.reserve(2 * touch_capacity); // of touches and former touches
     before_.reserve(2 * touch_capacity);
 }
 
@@ -54,28 +53,27 @@ void ForceSplit::split(const std::vector<Touch> &touches, const TouchForces &req
     shares_.clear();
     const Eigen::Vector2d mix = find_mix(given, sum_of(requested), sum(before_));
     for (std::size_t i = 0; i < touches.size(); ++i)
-        shares_.push_back(
-            {touches[i].object, touches[i].point, mix[0] * requested[i], touches[i].feature, touches[i].arm});
+        shares_.push_back({touches[i].object, touches[i].point, mix[0] * requested[i], touches[i].id, touches[i].arm});
     for (std::size_t i = touches.size(); i < requested.size(); ++i)
     {
-        const auto entry = static_cast<unsigned>(i - touches.size());
+        const auto entry = static_cast<std::uint32_t>(i - touches.size());
         shares_.push_back({free_space, Vector3::Zero(), mix[0] * requested[i], entry, Vector3::Zero()});
     }
     for (const ForceShare &share : before_)
     {
         const Vector3 force = mix[1] * share.force;
         const auto is_same = [&](const ForceShare &now) {
-            return now.object == share.object && now.feature == share.feature;
+            return now.object == share.object && now.touch == share.touch;
         };
         if (ForceShare *known = find_in(shares_, is_same))
             known->force += force;
         else if (!force.isZero(0))
-            shares_.push_back({share.object, share.point, force, share.feature, share.arm});
+            shares_.push_back({share.object, share.point, force, share.touch, share.arm});
     }
     add_rest(given);
 }
 
-// What rounding, or a controller's damping, adds to a W + b P: to the one that gives most.
+// Adds the difference to a W + b P, from rounding or a controller's damping, to the largest share.
 void ForceSplit::add_rest(const Vector3 &given)
 {
     const auto most = std::max_element(shares_.begin(), shares_.end(), [](const ForceShare &a, const ForceShare &b) {

@@ -1,4 +1,4 @@
-// Whose force it is that the hand feels.
+// Division of the rendered force among the touched objects.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_FORCE_SHARES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_FORCE_SHARES_H
@@ -7,26 +7,24 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Divides the force that the hand really got among the objects that made it, so that each of them gets the opposite of its part.
+/// Divides the written force among the objects that caused it, so that each gets the opposite of its part.
 ///
-/// What a law wishes is shortened on its way to the device, and kept from changing too fast, which mixes it with the force of the
-/// tick before, which other objects may have made. So the force is split into a W + b P, with W what is requested now and P what
-/// was given before; each object gets a times its part of W and b times its part of P. Does not allocate when it has seen as many
-/// touches before.
+/// Limits shorten a law's force, and mix it with the force of the tick before, which other objects may have caused. So
+/// the force is split into a W + b P, with the requested force W and the former force P; each object gets a times its
+/// part of W and b times its part of P. Does not allocate for a number of touches that it has seen before.
 class ForceSplit
 {
 public:
     ForceSplit();
 
-    /// @param requested N; one for each touch, and then those in free space, each of which has a share of its own.
-    /// @param given N; what was written of their sum. All finite, the scene's frame.
+    /// @param requested N; one for each touch, then those in free space, each with a share.
+    /// @param given N; the written part of their sum. All finite, in the scene's frame.
     void split(const std::vector<Touch> &touches, const TouchForces &requested, const Vector3 &given);
 
-    /// One for each touch, in their order, those in free space, then those of objects that were left but whose force is not gone yet. Their sum is
-    /// what was given; there are none when nothing is touched or was before.
+    /// One for each touch in their order, those in free space, then those of former objects whose force still fades.
+    /// Their sum is the given force.
     const std::vector<ForceShare> &shares() const { return shares_; }
 
-    /// No force, and no shares.
     void clear() { shares_.clear(); }
 
 private:

@@ -1,4 +1,4 @@
-// Spring and damper of one touch, as both force laws have them.
+// Spring and damper of one touch, for both force laws.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NORMAL_FORCE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NORMAL_FORCE_H
@@ -7,8 +7,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The force along the normal: k d, with the depth that the touch carries, and the damping of the approach if the touch is damped. It
-/// never pulls.
+/// The force along the normal: k d with the carried depth, plus damping of the approach if `damped`. It never pulls.
 ///
 /// @return N; >= 0, or not a number when an argument is not.
 inline double normal_force(const ToolState &tool, const Touch &touch, const Material &material, bool damped)

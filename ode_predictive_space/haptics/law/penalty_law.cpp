@@ -36,7 +36,6 @@ Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material,
 {
     const auto tangent = [&](const Vector3 &v) -> Vector3 { return v - v.dot(touch.normal) * touch.normal; };
 
-    // A new touch takes hold where it is.
     Vector3 stretch = Vector3::Zero();
     bool slides = false;
     const auto took_hold = [&](const Hold &hold) { return touch.takes_over != 0 && hold.touch == touch.takes_over; };
@@ -52,7 +51,7 @@ Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material,
     slides = pull > most;
     if (slides)
         stretch *= sliding / pull;
-    if (normal_force > 0 && stretch.allFinite()) // else it starts anew
+    if (normal_force > 0 && stretch.allFinite()) // otherwise the hold is lost
         holds_.push_back({touch.id, stretch, slides});
     return -material.stiffness * stretch;
 }

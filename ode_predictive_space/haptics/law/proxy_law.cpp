@@ -9,10 +9,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double rounding_of_planes = 1e-9; // of the way along them
+constexpr double rounding_of_planes = 1e-9; // of the displacement along them
 constexpr int most_sweeps = 8;              // over the touches
 
-/// By Gram and Schmidt: a third normal leaves nothing, one that depends on those before it says nothing new.
+/// Gram-Schmidt projection on the planes that carry; dependent normals are skipped.
 Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector)
 {
     Vector3 axes[3];
@@ -32,16 +32,14 @@ Vector3 along_the_carriers(const std::vector<Touch> &touches, Vector3 vector)
     return vector;
 }
 
-/// m; how far a way from the place above the tool goes behind a touch's plane.
+/// m; the depth behind a touch's plane of a displacement from the lifted tool.
 double entry_of(const Vector3 &along, const Vector3 &lift, const Touch &touch)
 {
     return -touch.normal.dot(along) - std::max(0.0, touch.normal.dot(lift) - touch.depth);
 }
 
-/// Friction is pushed out of planes along their normals. So a plane that is turned by rounding from the one that carries takes
-/// nothing of it. In a corner where that does not end, friction is shortened.
-///
-/// @param lift m; from the tool to the place above it.
+/// Pushes friction out of planes along their normals, so that a plane that differs from the carrying one by rounding
+/// does not reduce it. In a corner where that does not converge, friction is shortened.
 Vector3 kept_out(const std::vector<Touch> &touches, const Vector3 &lift, Vector3 along)
 {
     for (int sweep = 0; sweep < most_sweeps; ++sweep)
@@ -67,7 +65,7 @@ ProxyLaw::ProxyLaw(const Material &material) : material_(material)
 void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces)
 {
     Vector3 lifted = tool.position;
-    double carried = 0; // m; what all planes lift together
+    double carried = 0; // m; the sum of the shares
     for (const Touch &touch : touches)
     {
         const Carry carry = carry_of(touch);
@@ -90,7 +88,7 @@ void ProxyLaw::forces(const ToolState &tool, const std::vector<Touch> &touches, 
     }
 }
 
-/// m; how far friction holds the proxy off the place above the tool.
+/// m; the largest displacement of the proxy by friction.
 double ProxyLaw::most_friction(const std::vector<Touch> &touches, bool slides) const
 {
     double most = 0;
@@ -111,13 +109,13 @@ Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double ca
     if (!(most_friction(touches, false) > 0) || !has_proxy_ || !(carried > 0))
         return Vector3::Zero();
 
-    // Where the proxy would be had it stayed on the surfaces that carry it.
+    // The proxy of the tick before, moved with the surfaces that carry it.
     Vector3 along = proxy_ - lifted;
     for (const Touch &touch : touches)
         along += carry_of(touch).share / carried * dt * touch.surface_velocity;
     along = along_the_carriers(touches, along);
 
-    // As far as friction holds it, and nothing else is in the way.
+    // Limited by friction and by the other planes.
     slides_ = along.norm() > most_friction(touches, slid);
     const double part = slides_ ? most_friction(touches, true) / along.norm() : 1;
     return kept_out(touches, lifted - tool, part * along);

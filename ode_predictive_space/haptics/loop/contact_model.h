@@ -1,4 +1,4 @@
-// What the servo knows of the scene between two steps of it.
+// The servo's model of the scene between two steps.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_MODEL_H
@@ -12,7 +12,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What an object did besides going on with its velocity.
+/// The motion of an object beyond that by its constant velocity.
 struct Shift
 {
     std::uintptr_t object = 0;          ///< as Touch has it
@@ -26,29 +26,23 @@ struct Shift
     Vector3 velocity_at(const Vector3 &point) const { return velocity + spin.cross(point - centre); }
 };
 
-/// One for each touch that is foreseen, the deepest first.
 using Shifts = std::array<Shift, 8>;
 
-/// The deepest touch says how far the whole object has gone. @return none for an object that is not foreseen.
+/// The shift of an object, by its deepest touch; zero for an object without a prediction.
 inline Shift shift_of(std::uintptr_t object, const Shifts &shifts)
 {
     const Shift *const found = find_in(shifts, [object](const Shift &shift) { return shift.object == object; });
     return found != nullptr ? *found : Shift();
 }
 
-/// The surfaces around the probe as planes that move: one for each touch, as it was when the scene was looked at last. Of
-/// fixed size, to be handed from thread to thread; what it costs does not depend on the scene.
+/// The touched surfaces as moving planes, one for each touch of the last collision. It has a fixed size, to be passed
+/// between threads; its cost does not depend on the scene.
 ///
-/// A plane moves with the velocity that the surface had at the contact, and by what else was forecast of its object. Depth changes by
-/// how the tool moves along the normal: that is exact for a flat surface, whatever the shape of the probe, as long as the probe does not
-/// turn.
+/// A plane moves with the surface's velocity at the contact and with the predicted shift of its object. The depth
+/// changes with the tool's motion along the normal, which is exact for a flat surface while the probe does not turn.
 class ContactModel
 {
 public:
-    /// @param touches as TouchSensor tells them, those with a negative depth included.
-    /// @param all_known whether these are all.
-    /// @param tool m, the scene's frame; where the probe was.
-    /// @param time s; when this was so.
     void set(const std::vector<Touch> &touches, bool all_known, const Vector3 &tool, double time)
     {
         const auto end = std::partial_sort_copy(touches.begin(), touches.end(), touches_.begin(), touches_.end(),
@@ -59,10 +53,10 @@ public:
         time_ = time;
     }
 
-    /// What a probe touches that is at another place at another time. Touches from the side of entry are left out: they are
-    /// those of geoms that the servo knows better.
+    /// The touches of the probe at another place and time. Touches of geoms that the servo has itself (from_entry_side)
+    /// are left out.
     ///
-    /// @param touches is overwritten: those whose depth is above 0.
+    /// @param touches result: those with a depth above 0.
     void evaluate(const Vector3 &tool, double time, const Shifts &shifts, std::vector<Touch> &touches) const
     {
         touches.clear();
@@ -71,7 +65,7 @@ public:
         {
             Touch touch = touches_[i];
             if (touch.from_entry_side)
-                continue; // the servo has the geom itself
+                continue;
             const Shift shift = shift_of(touch.object, shifts);
             const Vector3 carried = (time - time_) * touch.surface_velocity + shift.moved_at(touch.point);
             touch.depth -= touch.normal.dot(moved - carried);

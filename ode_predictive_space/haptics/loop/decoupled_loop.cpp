@@ -1,5 +1,4 @@
-// The loop of two threads: the scene at its own rate, and the servo, which feels a local model of the scene around the
-// probe.
+// The loop of two threads: the scene at its own rate, and the servo, which renders a local model of the scene.
 //
 //     scene's thread, at t                     servo's thread
 //     --------------------                     --------------
@@ -9,8 +8,8 @@
 //     collide
 //     roll out         ---- Surroundings ---->  proxy, touches, law, safety, write
 //
-// The scene steps the interval that has just passed, in which it knows what the hand did. Then it tries out how the touched bodies
-// will go on and how they answer a push, through all joints and contacts, and the servo moves them by that.
+// The scene steps the interval that has just passed, for which the hand's impulses are known. Then it predicts the
+// motion of the touched bodies, and their response to a push through all joints and contacts, for the servo.
 
 #include "ode_predictive_space/haptics/loop/decoupled_servo.h"
 #include "ode_predictive_space/haptics/loop/scene_motion.h"
@@ -25,7 +24,6 @@ namespace
 {
 constexpr double rounding_of_ticks = 1e-9; // of a number of ticks
 
-/// The scene's side.
 class SceneLoop
 {
 public:
@@ -58,7 +56,6 @@ public:
         parts_.guard->end_steps();
     }
 
-    /// All that the hand got and the bodies have not got yet.
     void push_rest()
     {
         receive();
@@ -71,7 +68,6 @@ private:
         return parts_.time.simulated < parts_.settings.duration && !parts_.must_end() && !servo_.ended();
     }
 
-    /// s; of the step that comes next.
     double step_length()
     {
         if (motion_.steps_per_period() != steps_per_period_)
@@ -84,7 +80,6 @@ private:
         return dt_ / steps_per_period_;
     }
 
-    /// The interval that ends now, with what the hand got in it.
     void advance(double due, double length)
     {
         receive();
@@ -92,8 +87,8 @@ private:
         const unsigned long seed = dRandGetSeed();
         work_.advance(length);
         motion_.note_step(dRandGetSeed() != seed);
-        if (!motion_.repeats() && !surprised_)
-            tell_of_surprise();
+        if (!motion_.repeats() && !deviated_)
+            notify_of_deviation();
         ++steps_;
         parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;
     }
@@ -116,10 +111,10 @@ private:
         }
         parts_.probe.place(parts_.rendered.latest());
         parts_.collide(work_);
-        if (sensor_.is_reading() && !std::exchange(told_of_reading_, true))
-            parts_.tell(NoticeKind::contact, reading_notice, LoopGuard::Side::scene);
-        if (sensor_.exceeds_capacity() && !std::exchange(told_of_capacity_, true))
-            parts_.tell(NoticeKind::contact, capacity_notice, LoopGuard::Side::scene);
+        if (sensor_.is_reading() && !std::exchange(notified_of_reading_, true))
+            parts_.notify(NoticeKind::contact, reading_notice, LoopGuard::Side::scene);
+        if (sensor_.exceeds_capacity() && !std::exchange(notified_of_capacity_, true))
+            parts_.notify(NoticeKind::contact, capacity_notice, LoopGuard::Side::scene);
     }
 
     void look(double due)
@@ -132,11 +127,11 @@ private:
         const int steps = motion_.steps_per_period();
         {
             const TrialMessages messages;
-            motion_.foresee(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
+            motion_.predict(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
             note_messages(messages.count());
         }
         if (motion_.steps_per_period() != steps)
-            tell_of_shorter_steps();
+            notify_of_shorter_steps();
         hand_over_geoms(due, surroundings);
         servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
@@ -148,11 +143,12 @@ private:
             return;
         sensor_.tracker()->hand_over(surroundings.geoms, due);
         for (NearbyGeom &geom : surroundings.geoms.geoms)
-            if (!geom.is_in_contact() && !surroundings.forecast.foresees(geom.object()))
+            if (!geom.is_in_contact() && !surroundings.forecast.predicts(geom.object()))
                 motion_.push_rest(geom);
     }
 
-    /// Per period. Steps shorter than the servo's ticks would get the impulse of a tick as a pulse, which gives energy to bodies in contact.
+    /// Maximum number of steps per period. A step shorter than a tick would get the impulse of a tick as a pulse, which
+    /// adds energy to bodies in contact.
     int affordable_steps() const
     {
         return std::min(budget_.affordable(dt_),
@@ -162,12 +158,13 @@ private:
     void note_messages(std::uint64_t count)
     {
         if (count > 0 && parts_.counts.trial_messages == 0)
-            tell("ODE has messages about steps that are only tried, to foresee what is touched. They are counted, and "
-                 "not passed on.");
+            notify(
+                "ODE has messages about steps that are only tried, to predict what is touched. They are counted, and "
+                "not passed on.");
         parts_.counts.trial_messages += count;
     }
 
-    void tell_of_shorter_steps()
+    void notify_of_shorter_steps()
     {
         std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
         std::snprintf(
@@ -175,17 +172,17 @@ private:
             "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints or contacts "
             "that are too stiff and light for steps of %.1f ms.",
             motion_.steps_per_period(), motion_.steps_per_period() / dt_, 1000 * dt_);
-        tell(text.data());
+        notify(text.data());
     }
 
-    void tell_of_surprise()
+    void notify_of_deviation()
     {
-        surprised_ = true;
-        tell("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
-             "Step such a scene at 200 Hz or more, or in one thread.");
+        deviated_ = true;
+        notify("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
+               "Step such a scene at 200 Hz or more, or in one thread.");
     }
 
-    void tell(std::string_view sentence) { parts_.tell(NoticeKind::coupling, sentence, LoopGuard::Side::scene); }
+    void notify(std::string_view sentence) { parts_.notify(NoticeKind::coupling, sentence, LoopGuard::Side::scene); }
 
     LoopParts &parts_;
     DecoupledServo &servo_;
@@ -194,12 +191,12 @@ private:
     double dt_; ///< s; of the program's rate
     SceneMotion motion_;
     int steps_per_period_ = 1; ///< in a time dt_
-    double changed_ = 0;       ///< s, simulated; when that became so
-    std::uint64_t steps_ = 0;  ///< since then
+    double changed_ = 0;       ///< s, simulated; of the last change
+    std::uint64_t steps_ = 0;  ///< since the last change
     StepBudget budget_;
-    bool told_of_reading_ = false;
-    bool told_of_capacity_ = false;
-    bool surprised_ = false; ///< and it has been told
+    bool notified_of_reading_ = false;
+    bool notified_of_capacity_ = false;
+    bool deviated_ = false; ///< the notice was sent
 };
 } // namespace
 

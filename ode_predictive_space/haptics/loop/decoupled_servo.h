@@ -16,21 +16,21 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What the servo knows of the scene, as it was at the last step.
 struct Surroundings
 {
-    ContactModel planes; ///< of what only dCollide() knows
-    NearbyGeoms geoms;   ///< all others
+    ContactModel planes; ///< of a geom of the program
+    NearbyGeoms geoms;   ///< around the library's sphere
     MotionForecast forecast;
-    int tool_jumps = 0; ///< as RenderedTick has it: with more of them, the tool is somewhere else by now
+    int tool_jumps = 0; ///< of RenderedTick; if it has grown since, the copy is out of date
 };
 
-/// What the hand gets of each object, as impulses on their way to the scene.
+/// The impulses between hand and objects on their way to the scene.
 ///
-/// A device holds each force until the next write, which is due a tick later. The impulse of that tick is on its way as soon as the force
-/// is written, so that it reaches the scene before the step that it belongs to: a later one would have to be made up for by pulses, which
-/// give energy to bodies in contact. When a force is held longer or shorter than a tick, the difference follows after the next write: no
-/// impulse is lost, and none counts twice. Only the servo uses it, apart from the queue's other end. Neither allocates nor locks.
+/// A device holds each force until the next write, which is due a tick later. The impulse of that tick is sent as soon
+/// as the force is written, so that it reaches the scene before its step: late impulses would act as pulses, which add
+/// energy to bodies in contact. If a force is held longer or shorter than a tick, the difference follows after the next
+/// write, so no impulse is lost or counted twice. For the servo's thread, except the queue's other end. Neither
+/// allocates nor locks.
 class HandImpulses
 {
 public:
@@ -41,14 +41,11 @@ public:
         held_.reserve(most_shares);
     }
 
-    /// To the scene.
     Queue<Impulse> &queue() { return queue_; }
 
-    /// How touched bodies move by what is not in the forecast: the impulses that the scene has not got, and what the force is held longer
+    /// The motion of touched bodies by impulses that the forecast does not include, and by a force that is held longer
     /// than a tick.
-    ///
-    /// @param due s, on the clock; when the tick that begins was due.
-    Shifts foresee(const MotionForecast &forecast, double due)
+    Shifts predict(const MotionForecast &forecast, double due)
     {
         const auto is_new = [&](const Impulse &impulse) { return impulse.number > forecast.last_included; };
         given_.erase(given_.begin(), std::find_if(given_.begin(), given_.end(), is_new));
@@ -62,7 +59,7 @@ public:
         return shifts;
     }
 
-    /// A body that is not in the forecast goes by what the scene has not got.
+    /// Moves a body without a forecast by the impulses that the scene has not got.
     void push(NearbyGeom &geom, double due) const
     {
         for (const Impulse &impulse : given_)
@@ -72,12 +69,12 @@ public:
 
     /// After each write.
     ///
-    /// @param now s, on the clock. @param due s, on the clock; when the tick was due. The tick began then: so the scene's semi-implicit steps
-    ///        and the forecast are of one kind, and create no energy.
+    /// @param now s, on the clock. @param due s, on the clock; the due time of the tick, which counts as its beginning:
+    ///         so the impulses agree with the scene's semi-implicit steps, and create no energy.
     void settle(double now, double due, const DeviceGate &gate, const std::vector<ForceShare> &shares)
     {
         const std::uint64_t zeros = gate.zeros();
-        const bool guard_took_it = zeros != zeros_; // the servo has hung since
+        const bool guard_took_it = zeros != zeros_; // the servo has hung since then
         const double held_until = guard_took_it ? std::clamp(gate.last_zero(), written_, now) : now;
         give(held_until - written_ - tick_, due_ + tick_);
         zeros_ = zeros;
@@ -94,8 +91,8 @@ private:
     static constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
     static constexpr double rounding = 1e-12; ///< s
 
-    /// Before the watchdog has taken the force away from a scene that does not fetch them. Each force has two: for its tick, and for what it
-    /// was held longer or shorter.
+    /// Impulses until the watchdog stops the force of a scene that hangs. Each force has two: for its tick, and for the
+    /// difference.
     static std::size_t most_on_their_way(const LoopSettings &settings)
     {
         constexpr double decay = 0.01; // s; of the watchdog, at most
@@ -104,7 +101,7 @@ private:
         return 2 * most_shares * static_cast<std::size_t>(ticks);
     }
 
-    /// The force that is held, for so long.
+    /// Sends the impulse of the held force for a duration.
     void give(double seconds, double time)
     {
         if (std::abs(seconds) <= rounding)
@@ -118,16 +115,16 @@ private:
     }
 
     Queue<Impulse> queue_;
-    std::vector<Impulse> given_;   ///< what the latest forecast does not include
-    std::uint64_t numbered_ = 0;   ///< impulses so far
-    double tick_;                  ///< s; from a tick to the next
+    std::vector<Impulse> given_; ///< impulses that the latest forecast does not include
+    std::uint64_t numbered_ = 0;
+    double tick_;                  ///< s; length of a tick
     double due_;                   ///< s, on the clock; when the tick of the last write was due
-    std::vector<ForceShare> held_; ///< what the device has rendered since the last write
-    double written_ = 0;           ///< s, on the clock; when that was
-    std::uint64_t zeros_ = 0;      ///< of the gate, by then
+    std::vector<ForceShare> held_; ///< the force since the last write
+    double written_ = 0;           ///< s, on the clock; of the last write
+    std::uint64_t zeros_ = 0;      ///< of the gate at the last write
 };
 
-/// Its constructor and destructor run in the scene's thread, all else in the servo's.
+/// Constructor and destructor run in the scene's thread, all else in the servo's.
 class DecoupledServo
 {
 public:
@@ -171,38 +168,37 @@ public:
     /// @param due s, on the clock; when the tick was due.
     void settle(double due) { impulses.settle(parts_.clock.now(), due, renderer_.gate(), renderer_.shares()); }
 
-    /// By an exception of the law. Of the scene's thread, when the servo has ended or ended() is true.
+    /// The exception of the law that ended the servo. For the scene's thread, once ended() is true.
     std::exception_ptr error() const { return error_; }
     bool ended() const { return ended_.load(std::memory_order_acquire); }
 
-    // The scene's thread has the other ends of these.
+    // The scene's thread uses the other ends.
     Snapshot<Surroundings> surroundings;
     Snapshot<ContactMemory> memory;
     HandImpulses impulses;
 
 private:
-    static constexpr std::size_t reserved_touches = 2 * touch_capacity; ///< before some are left out
+    static constexpr std::size_t reserved_touches = 2 * touch_capacity; ///< before touches are dropped
 
     void render(double due)
     {
         surroundings.take();
         const Surroundings &scene = surroundings.latest();
-        shifts_ = impulses.foresee(scene.forecast, due);
+        shifts_ = impulses.predict(scene.forecast, due);
         renderer_.read(parts_.time.first + (due - parts_.time.start), parts_.clock.now());
         const bool all_known = feel(scene, due);
         renderer_.render(touches_, all_known, 1 / parts_.settings.rate);
         parts_.note_rendered(renderer_.last_tick());
     }
 
-    /// @return whether the touches are all there are.
     bool feel(const Surroundings &scene, double due)
     {
         touches_.clear();
         if (scene.tool_jumps == renderer_.last_tick().tool_jumps)
             scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
         const bool all_known = !tracker_ || feel_geoms(scene, due);
-        if (keep_within_capacity(touches_) && !std::exchange(told_of_capacity_, true))
-            parts_.tell(NoticeKind::contact, capacity_notice);
+        if (keep_within_capacity(touches_) && !std::exchange(notified_of_capacity_, true))
+            parts_.notify(NoticeKind::contact, capacity_notice);
         return all_known && scene.planes.all_known();
     }
 
@@ -231,11 +227,11 @@ private:
         return tracker_->touches(renderer_.law().view(), touches_);
     }
 
-    /// By what was foreseen of it. Where that is nothing, a body in contact stays until the next step of the scene, and gives way by what the
-    /// force of a step would make of it. Others go by the impulses that they will get, as if they were free.
+    /// Moves a geom by its forecast. Without one, a body in contact waits for the next step of the scene, and yields by
+    /// its displacement in a step; other bodies move freely by their impulses.
     void move_on(NearbyGeom &geom, const MotionForecast &forecast, double due) const
     {
-        if (forecast.foresees(geom.object()))
+        if (forecast.predicts(geom.object()))
         {
             const Shift shift = shift_of(geom.object(), shifts_);
             geom.shift(shift.moved, shift.turned, shift.velocity, shift.spin);
@@ -255,11 +251,11 @@ private:
 
     LoopParts &parts_;
     Renderer &renderer_;
-    std::optional<ContactTracker> tracker_; ///< of the probe's own sphere
-    int tool_jumps_ = 0;                    ///< as RenderedTick has it
+    std::optional<ContactTracker> tracker_; ///< of the library's sphere
+    int tool_jumps_ = 0;                    ///< of RenderedTick
     Shifts shifts_;
     std::vector<Touch> touches_;
-    bool told_of_capacity_ = false;
+    bool notified_of_capacity_ = false;
     std::exception_ptr error_;
     std::atomic<bool> ended_{false};
 };

@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Whether ODE counts the steps for which the body has been idle.
 bool is_falling_asleep(dBodyID body)
 {
     const double speed = from_ode(dBodyGetLinearVel(body)).norm();
@@ -21,8 +20,8 @@ bool is_falling_asleep(dBodyID body)
            spin < dBodyGetAutoDisableAngularThreshold(body);
 }
 
-/// Enables a body that was disabled here. dBodyEnable() resets its count of idle steps. To switch its automatic disabling off and on
-/// does not, but sets its steps, time and samples to those of the world, and forgets samples: a mean of several begins anew.
+/// Enables a body that was disabled here. dBodyEnable() resets its count of idle steps. Switching automatic disabling
+/// off and on keeps the count, but resets steps, time and samples to those of the world.
 void enable_again(dBodyID body)
 {
     if (!is_falling_asleep(body))
@@ -37,13 +36,11 @@ void enable_again(dBodyID body)
     dBodySetAutoDisableFlag(body, 1);
 }
 
-/// What a body's joint joins it to; 0 for the world.
 dBodyID other_body(dJointID joint, dBodyID body)
 {
     return dJointGetBody(joint, dJointGetBody(joint, 0) == body ? 1 : 0);
 }
 
-/// None for a joint that does not go through a point.
 std::optional<Vector3> anchor_of(dJointID joint)
 {
     dVector3 place = {};
@@ -64,7 +61,7 @@ std::optional<Vector3> anchor_of(dJointID joint)
     return from_ode(place);
 }
 
-/// 1/s^2; by how much a force at the end of an arm turns the body back, against its inertia.
+/// 1/s^2; the squared angular frequency of the body on an angular stiffness.
 double square_of_swing(dBodyID body, const Eigen::Matrix3d &stiffness)
 {
     dMass mass;
@@ -98,7 +95,7 @@ void IslandRollOut::add(dBodyID body)
                        dBodyIsEnabled(body) != 0});
 }
 
-/// The nearest first.
+/// Breadth first, so that the nearest bodies are included.
 void IslandRollOut::add_connected()
 {
     const int most = quick_ ? most_ends_by_quick_step : most_ends;
@@ -138,8 +135,8 @@ void IslandRollOut::note_joint(dJointID joint, dBodyID body)
     }
 }
 
-/// Bodies at the border are kinematic: they keep their velocities. ODE steps whatever a joint leads to, so the joints that lead beyond
-/// them are disabled.
+/// Bodies at the border become kinematic and keep their velocities. Joints beyond them are disabled, because ODE steps
+/// all connected bodies.
 void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
 {
     const std::unordered_set<dBodyID> within = known_;
@@ -164,7 +161,7 @@ void IslandRollOut::hold_border(const std::vector<dBodyID> &border)
     }
 }
 
-/// All other bodies are disabled, so that ODE does not step them.
+/// Disables all other bodies, so that ODE does not step them.
 void IslandRollOut::hold_others()
 {
     const dWorldID world = dBodyGetWorld(states_.front().body);
@@ -195,10 +192,8 @@ void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpu
             continue;
         const Vector3 force = push.impulse / dt, moment = push.arm.cross(force);
         dBodyEnable(push.body);
-        dBodyAddForce(push.body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
-                      static_cast<dReal>(force.z()));
-        dBodyAddTorque(push.body, static_cast<dReal>(moment.x()), static_cast<dReal>(moment.y()),
-                       static_cast<dReal>(moment.z()));
+        call_ode(&dBodyAddForce, push.body, force);
+        call_ode(&dBodyAddTorque, push.body, moment);
     }
     for (std::size_t step = 1; step <= steps; ++step)
     {
@@ -246,19 +241,15 @@ void IslandRollOut::restore() const
 {
     for (const State &state : states_)
     {
-        const auto set = [&](auto setter, const Vector3 &value) {
-            setter(state.body, static_cast<dReal>(value.x()), static_cast<dReal>(value.y()),
-                   static_cast<dReal>(value.z()));
-        };
         const Quaternion &turn = state.motion.orientation;
         const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
                                         static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
-        set(&dBodySetPosition, state.motion.position);
+        call_ode(&dBodySetPosition, state.body, state.motion.position);
         dBodySetQuaternion(state.body, quaternion);
-        set(&dBodySetLinearVel, state.motion.linear_velocity);
-        set(&dBodySetAngularVel, state.motion.angular_velocity);
-        set(&dBodySetForce, state.force);
-        set(&dBodySetTorque, state.torque);
+        call_ode(&dBodySetLinearVel, state.body, state.motion.linear_velocity);
+        call_ode(&dBodySetAngularVel, state.body, state.motion.angular_velocity);
+        call_ode(&dBodySetForce, state.body, state.force);
+        call_ode(&dBodySetTorque, state.body, state.torque);
         if (state.awake != (dBodyIsEnabled(state.body) != 0))
             state.awake ? dBodyEnable(state.body) : dBodyDisable(state.body);
     }

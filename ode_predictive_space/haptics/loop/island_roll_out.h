@@ -1,4 +1,4 @@
-// What the scene around a touch would do, with and without a push: tried out, and undone.
+// Trial steps of the scene around a touch, with and without a push, which are undone.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_ISLAND_ROLL_OUT_H
@@ -13,7 +13,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// An impulse on a body, at the end of an arm from its centre of mass: m and N s, the world's frame.
+/// An impulse (N s) on a body at the end of an arm (m) from its centre of mass, in the world's frame.
 struct BodyImpulse
 {
     dBodyID body;
@@ -21,17 +21,16 @@ struct BodyImpulse
     Vector3 impulse;
 };
 
-/// Steps the bodies that hang together with some touched ones by joints and contacts, by ODE's own stepper and with the joints that
-/// there are, then puts all back: poses, velocities, forces, joints' feedback, ODE's random numbers. Other bodies of the scene do not take
-/// part. Of a large island, the bodies nearest to the touched ones are stepped, counted in joints between them, up to most_ends. The bodies
-/// that these are joined to move on at constant velocity. What it cannot put back: callbacks of moved bodies are called; a body that hangs together with a
-/// touched one does not fall asleep.
+/// Steps the bodies that are connected with the touched ones by joints and contacts, by ODE's own stepper, then
+/// restores poses, velocities, forces, joint feedback and ODE's random numbers. Other bodies are not stepped. A large
+/// island is reduced to the bodies nearest to the touched ones, up to most_ends; the bodies beyond its border keep
+/// their velocities. Two effects remain: callbacks of moved bodies are called, and a connected body does not fall
+/// asleep.
 ///
-/// Used from the scene's thread, after the program has made its contact joints and before it steps the world.
+/// For the scene's thread, after the program has made its contact joints and before it steps the world.
 class IslandRollOut
 {
 public:
-    /// @param touched dynamic bodies of one world, at least one.
     /// @param quick whether to step by dWorldQuickStep(), else by dWorldStep().
     IslandRollOut(const std::vector<dBodyID> &touched, bool quick);
 
@@ -39,31 +38,29 @@ public:
     IslandRollOut(const IslandRollOut &) = delete;
     IslandRollOut &operator=(const IslandRollOut &) = delete;
 
-    /// Steps several times from where all is now, then puts the bodies back there.
+    /// Steps several times from the present state, then restores it.
     ///
-    /// @param impulses given in the first step; those on bodies that do not take part are left out. @param look called after each step, with its number from 1 on.
+    /// @param impulses of the first step; other bodies are ignored. @param look called after each step, with its number
+    ///         from 1 on.
     void run(std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
              const std::function<void(std::size_t)> &look);
 
-    /// rad/s; of the fastest swing of a body by the forces of the joints that hang it up, such as a rope's. Steps that are longer than
-    /// 2 / that make ODE itself unstable.
+    /// rad/s; the fastest oscillation of a body that hangs on joints, such as those of a rope. ODE is unstable with
+    /// steps longer than 2 divided by it.
     double fastest_swing(double dt);
 
-    /// Bodies are added as long as all of them together have fewer ends of joints than this; a contact between two bodies has two. The
-    /// cost of dWorldStep() grows with the cube of the number of joints.
+    /// Limits of the ends of joints of an island; a contact between two bodies has two. The cost of dWorldStep() grows
+    /// with the cube of the number of joints.
     static constexpr int most_ends = 60, most_ends_by_quick_step = 150;
 
-    /// Whether a joint holds one of the bodies, contacts included.
     bool has_joints() const { return has_joints_; }
 
-    /// Whether one of the bodies is in contact with something.
     bool has_contacts() const { return has_contacts_; }
 
-    /// Whether two of the bodies are in contact with each other.
     bool is_stacked() const { return is_stacked_; }
 
 private:
-    /// Of a body, to be restored.
+    /// The state of a body before the trial.
     struct State
     {
         dBodyID body;
@@ -84,9 +81,9 @@ private:
     bool quick_;
     std::unordered_set<dBodyID> known_;
     std::vector<State> states_;
-    int ends_ = 0;                 ///< of the joints of these
-    std::vector<dJointID> joints_; ///< those that last
-    std::vector<AtEnd> undo_;      ///< what was done to bodies and joints so that no others are stepped
+    int ends_ = 0;                 ///< of their joints
+    std::vector<dJointID> joints_; ///< joints with an anchor
+    std::vector<AtEnd> undo_;      ///< restores bodies and joints
     unsigned long seed_;
     bool has_joints_ = false;
     bool has_contacts_ = false;

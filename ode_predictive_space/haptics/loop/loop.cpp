@@ -13,19 +13,19 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double shortest_stall = 0.005; // s; after the last tick
-constexpr double overdue = 0.004;        // s; after the next one should have begun
+constexpr double shortest_stall = 0.005;
+constexpr double overdue = 0.004; // s; after the due time of the next tick
 
 double stall_after(double rate)
 {
     return std::max(shortest_stall, 1 / rate + overdue);
 }
 
-/// The guard, the notices' way, and what the system grants: from the beginning of a run to its end, whichever that is.
-class Watch
+/// Guard, delivery of notices and scheduling, from the beginning of a run to its end.
+class RunSupervision
 {
 public:
-    explicit Watch(LoopParts &parts) : parts_(parts), sink_(parts.probe.renderer().notice_sink())
+    explicit RunSupervision(LoopParts &parts) : parts_(parts), sink_(parts.probe.renderer().notice_sink())
     {
         if (parts.settings.ask_for_priority)
         {
@@ -36,7 +36,7 @@ public:
         GuardDuties duties;
         duties.stall_after = stall_after(parts.settings.rate);
         duties.scene_stall_after = stall_after(parts.settings.physics_rate);
-        duties.must_end = [&parts] { return parts.is_told_to_stop(); };
+        duties.must_end = [&parts] { return parts.stop_requested(); };
         duties.sink = [&parts, sink = parts.settings.notice ? parts.settings.notice : sink_](const Notice &notice) {
             ++parts.counts.notices;
             if (sink)
@@ -48,21 +48,20 @@ public:
         parts.probe.renderer().set_notice_sink([&parts](const Notice &notice) { parts.guard->post(notice); });
     }
 
-    ~Watch()
+    ~RunSupervision()
     {
         parts_.probe.renderer().relax();
         parts_.time.end = parts_.clock.now();
         if (parts_.probe.sensor() != nullptr)
             parts_.probe.sensor()->set_margin(0);
-        parts_.probe.renderer().tell_held_back();
         if (parts_.scheduling.refused())
-            parts_.tell(NoticeKind::scheduling, parts_.scheduling.text());
+            parts_.notify(NoticeKind::scheduling, parts_.scheduling.text());
         parts_.guard->end();
         parts_.probe.renderer().set_notice_sink(sink_);
     }
 
-    Watch(const Watch &) = delete;
-    Watch &operator=(const Watch &) = delete;
+    RunSupervision(const RunSupervision &) = delete;
+    RunSupervision &operator=(const RunSupervision &) = delete;
 
 private:
     LoopParts &parts_;
@@ -71,7 +70,6 @@ private:
     AtEnd memory_locked_;
 };
 
-/// The single-threaded loop: read, collide, force, step.
 void run_coupled(LoopParts &parts, const SceneWork &work)
 {
     parts.ask_for_priority(false);
@@ -96,7 +94,7 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
     }
 }
 
-/// So that no tick has to wait for what the spaces around the probe would build when it is first needed.
+/// Builds the data of predictive spaces now, so that no tick has to wait for it.
 void prepare_spaces_of(dGeomID probe)
 {
     for (dSpaceID space = dGeomGetSpace(probe); space; space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
@@ -106,10 +104,10 @@ void prepare_spaces_of(dGeomID probe)
 
 void run_watched(LoopParts &parts, const SceneWork &work)
 {
-    const StopRequest instead_of_dying; // by a signal, with the force left on
+    const StopRequest instead_of_dying; // a signal must not leave a force
     Renderer &renderer = parts.probe.renderer();
     parts.time.first = parts.probe.last_tick().time;
-    const Watch watch(parts);
+    const RunSupervision supervision(parts);
     parts.time.start = parts.clock.now();
     try
     {
@@ -118,13 +116,13 @@ void run_watched(LoopParts &parts, const SceneWork &work)
     catch (...)
     {
         renderer.relax();
-        parts.tell(NoticeKind::exception, with_reason("No force: the program's part of the loop failed"));
+        parts.notify(NoticeKind::exception, with_reason("No force: the program's part of the loop failed"));
         throw;
     }
     if (parts.must_end())
     {
         renderer.relax();
-        parts.tell(NoticeKind::stop, "No force: the loop was asked to end.");
+        parts.notify(NoticeKind::stop, "No force: the loop was asked to end.");
     }
 }
 } // namespace
@@ -135,7 +133,7 @@ HapticLoop::HapticLoop(HapticProbe &probe, LoopSettings settings)
 
 HapticLoop::~HapticLoop() = default;
 
-/// What it returns is the last that it touches: the loop may be destroyed then, by another thread.
+/// The report is read last, because another thread may destroy the loop after that.
 LoopReport HapticLoop::run(const SceneWork &work)
 {
     LoopParts &parts = *parts_;
@@ -184,7 +182,6 @@ LoopReport HapticLoop::report() const
     report.saturated = parts.counts.saturated;
     report.trial_messages = parts.counts.trial_messages;
     report.notices = parts.counts.notices;
-    report.held_back = parts.counts.held_back;
     report.scheduling = parts.scheduling.text();
     return report;
 }

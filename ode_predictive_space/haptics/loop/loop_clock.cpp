@@ -15,7 +15,6 @@ namespace
 {
 constexpr double nanoseconds_per_second = 1e9;
 
-/// The first time after `now` that is a whole number of periods after `due`.
 double next_time(double due, double period, double now)
 {
     return due + period * std::max(1.0, std::floor((now - due) / period) + 1);
@@ -52,7 +51,7 @@ private:
     MonotonicClock &clock_;
     PeriodicTask task_;
     std::atomic<bool> ended_{false};
-    std::thread thread_; ///< last: it uses the others
+    std::thread thread_; ///< last, because it uses the others
 };
 } // namespace
 
@@ -89,7 +88,7 @@ public:
 
     ~Entry() override { clock_.entries_.erase(std::find(clock_.entries_.begin(), clock_.entries_.end(), this)); }
 
-    /// s; never while it is being carried out.
+    /// s; infinite while the task runs.
     double due() const { return busy_ ? std::numeric_limits<double>::infinity() : due_; }
 
     void carry_out()

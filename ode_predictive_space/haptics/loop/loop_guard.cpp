@@ -55,9 +55,9 @@ void LoopGuard::look()
     {
         scene_.stopped = step;
         if (open_gates::close_unguarded(scene_.thread.load(std::memory_order_relaxed), now))
-            tell("No force at another probe of the program: the scene has hung for too long.");
+            notify("No force at another probe of the program: the scene has hung for too long.");
     }
-    // The loop itself may sleep until its next deadline, or wait for the scene.
+    // The loop itself may be asleep, or wait for the scene.
     if (!ended_ && duties_.must_end && duties_.must_end())
         ended_ = take_force(now);
 }
@@ -68,7 +68,7 @@ void LoopGuard::look_at_clock()
     if (now < newest_ - watch_period)
     {
         has_gone_back_ = true;
-        tell("No force: the loop's clock has gone back.", Side::clock);
+        notify("No force: the loop's clock has gone back.", Side::clock);
     }
     newest_ = now;
     if (has_gone_back_)
@@ -87,19 +87,19 @@ void LoopGuard::stop_force(double now, double beat)
     if (taken)
         stopped_beat_ = beat;
     else if (std::exchange(busy_beat_, beat) == beat)
-        return; // it has been told
+        return; // already reported
     open_gates::close_unguarded(gate_.reader(), now);
-    tell(taken ? "No force: the loop has hung for too long in the program's part of it."
-               : "The loop is stuck in the device's driver: only the device itself can remove its force.");
+    notify(taken ? "No force: the loop has hung for too long in the program's part of it."
+                 : "The loop is stuck in the device's driver: only the device itself can remove its force.");
 }
 
-void LoopGuard::tell(std::string_view sentence, Side side)
+void LoopGuard::notify(std::string_view sentence, Side side)
 {
     const double time = duties_.time ? duties_.time() : clock_.now();
     post(Notice(NoticeKind::guard, time, sentence), side);
 }
 
-/// @return false when it could not, and is to be tried again.
+/// @return false when the device is busy, so that it has to be tried again.
 bool LoopGuard::take_force(double now)
 {
     try
@@ -108,7 +108,7 @@ bool LoopGuard::take_force(double now)
     }
     catch (...)
     {
-        tell(with_reason("The device takes no zero force, and was closed"));
+        notify(with_reason("The device takes no zero force, and was closed"));
     }
     return true;
 }

@@ -1,4 +1,4 @@
-// Watches a servo from beside it, and speaks for it.
+// Supervision of a servo by other threads, and delivery of its notices.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_LOOP_GUARD_H
@@ -11,23 +11,22 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What a guard is to do. Called from its threads; each function may be empty.
+/// Settings and callbacks of a guard. Its threads call the functions, which may be empty.
 struct GuardDuties
 {
-    double stall_after = 0.005;     ///< s; so long after the last beat, the servo hangs
-    double scene_stall_after = 0;   ///< s; so long after the last step, the scene's thread hangs
-    std::function<bool()> must_end; ///< whether there is to be no force any more
+    double stall_after = 0.005;     ///< s; from the last beat until the servo counts as hung
+    double scene_stall_after = 0;   ///< s; from the last step until the scene's thread counts as hung
+    std::function<bool()> must_end; ///< whether the force has to end
     NoticeSink sink;
     std::function<double()> time;  ///< s, simulated; of notices
-    std::function<void()> prepare; ///< where the guard runs, before it begins
+    std::function<void()> prepare; ///< in the guard's thread, before it begins
 };
 
-/// Looks every millisecond whether the servo still ticks, and whether it is to end; when it does not or is, sets the force to zero.
+/// Checks every millisecond whether the servo ticks, and whether the loop has to end; otherwise sets the force to zero.
 ///
-/// A clock of the program can go back. Then all that sleeps by it sleeps until it has caught up, the watch too: this is found by the machine's
-/// own clock.
+/// A clock of the program can go back, and then all tasks that sleep by it stall. The machine's clock detects that.
 ///
-/// A thread beside the watch hands all notices to the program's sink, so that neither servo nor watch has to wait for a terminal.
+/// A separate thread delivers notices to the program's sink, so that neither servo nor guard waits for a terminal.
 class LoopGuard
 {
 public:
@@ -36,20 +35,19 @@ public:
     LoopGuard(const LoopGuard &) = delete;
     LoopGuard &operator=(const LoopGuard &) = delete;
 
-    /// Of the servo: it ticks. The first beat begins the watch.
+    /// For the servo: a tick begins. The first beat starts the supervision.
     void beat(double now) { last_beat_.store(now, std::memory_order_relaxed); }
 
-    /// Of the scene's thread, where it is not the servo's: it begins a step. After a stall, the probes that the program runs in this thread
-    /// beside the loop's own are without force.
+    /// For the scene's thread of a decoupled loop: a step begins. A stall ends the forces of other probes that the
+    /// program runs in this thread.
     void begin_step(double now);
 
-    /// Of the same: there are no more steps.
     void end_steps() { scene_.last.store(never, std::memory_order_relaxed); }
 
     using Side = NoticePost::Side;
     void post(const Notice &notice, Side side = Side::servo) { notices_.post(notice, side); }
 
-    /// When the servo has ended: the watch is over, and what was posted is delivered.
+    /// After the servo has ended: stops the supervision, and delivers posted notices.
     void end();
 
     bool sink_failed() const { return notices_.sink_failed(); }
@@ -59,16 +57,15 @@ private:
     void look();
     void look_at_clock();
     void stop_force(double now, double beat);
-    void tell(std::string_view sentence, Side side = Side::watch);
+    void notify(std::string_view sentence, Side side = Side::watch);
     bool take_force(double now);
 
     static constexpr double never = std::numeric_limits<double>::infinity();
 
-    /// Of the scene's thread.
     struct SceneSteps
     {
         std::atomic<double> last{never};
-        double stopped = never; ///< the last step before a stall that has been dealt with
+        double stopped = never; ///< the last step before a handled stall
         std::atomic<std::thread::id> thread{};
     };
 
@@ -76,17 +73,17 @@ private:
     DeviceGate &gate_;
     GuardDuties duties_;
     std::atomic<double> last_beat_{never};
-    double stopped_beat_ = never; ///< the last beat before a stall that has been dealt with
-    double busy_beat_ = never;    ///< the same, told that the driver hangs
+    double stopped_beat_ = never; ///< the last beat before a handled stall
+    double busy_beat_ = never;    ///< the last beat before a reported hang of the driver
     SceneSteps scene_;
-    bool ended_ = false; ///< must_end() has been dealt with
+    bool ended_ = false; ///< must_end() was handled
     NoticePost notices_;
     MonotonicClock machine_clock_;
     double newest_ = -never;             ///< s; of the loop's clock
-    bool has_gone_back_ = false;         ///< and the force is still to be taken
-    std::unique_ptr<RunningTask> watch_; ///< these last: they use the others
+    bool has_gone_back_ = false;         ///< and the force is not yet zero
+    std::unique_ptr<RunningTask> watch_; ///< last, because they use the others
     std::unique_ptr<RunningTask> speaker_;
-    std::unique_ptr<RunningTask> clock_watch_; ///< 0 for a clock that cannot go back
+    std::unique_ptr<RunningTask> clock_watch_; ///< 0 for clocks of the library
 };
 } // namespace ode_predictive_space::haptics
 

@@ -71,14 +71,14 @@ LoopParts::~LoopParts()
         run->end_and_wait("a haptic loop");
 }
 
-bool LoopParts::is_told_to_stop() const
+bool LoopParts::stop_requested() const
 {
-    return stopped.load(std::memory_order_relaxed) || run_->is_told_to_stop() || StopRequest::requested();
+    return stopped.load(std::memory_order_relaxed) || run_->stop_requested() || StopRequest::requested();
 }
 
 bool LoopParts::must_end() const
 {
-    return is_told_to_stop() || guard->sink_failed();
+    return stop_requested() || guard->sink_failed();
 }
 
 void LoopParts::ask_for_priority(bool above_servo)
@@ -93,17 +93,14 @@ void LoopParts::note_rendered(const RenderedTick &tick)
     rendered.draft() = tick;
     rendered.publish();
     counts.saturated += tick.saturated ? 1 : 0;
-    counts.held_back = probe.renderer().held_back();
 }
 
-/// By which the scene is found. @return may be 0.
 dGeomID LoopParts::scene_geom() const
 {
     const dBodyID tool = probe.tool_body();
     return tool != nullptr ? dBodyGetFirstGeom(tool) : probe.geom();
 }
 
-// Before ODE does anything with them, and before the world is stepped.
 void LoopParts::check_bodies()
 {
     const std::string broken = bodies_->broken_state(probe.tool_body(), scene_geom());
@@ -111,7 +108,8 @@ void LoopParts::check_bodies()
         throw std::runtime_error(broken);
 }
 
-/// An exception that comes through ODE's own dSpaceCollide() leaves the space locked: then nothing in it may be moved or destroyed.
+/// An exception through ODE's own dSpaceCollide() leaves the space locked, so that its geoms must not be moved or
+/// destroyed.
 void LoopParts::collide(const SceneWork &work)
 {
     check_bodies();

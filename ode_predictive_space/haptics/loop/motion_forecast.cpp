@@ -4,7 +4,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A time as a place between two nodes.
 struct Moment
 {
     Moment(double elapsed, double node_length)
@@ -15,10 +14,10 @@ struct Moment
     }
 
     std::size_t node; ///< the earlier one
-    double part;      ///< of the way to the later one; above 1 beyond the last
+    double part;      ///< fraction towards the later one; above 1 beyond the last
 };
 
-/// The place of the object whose normal the force had, as far as possible. @return the number of places when there is none.
+/// The index of the object's place whose normal agrees best with the force; the number of places for an unknown object.
 std::size_t pushed_by(const Impulse &impulse, const MotionForecast &forecast)
 {
     const auto along_normal = [&](std::size_t i) { return impulse.impulse.dot(forecast.places[i].touch.normal); };
@@ -30,7 +29,7 @@ std::size_t pushed_by(const Impulse &impulse, const MotionForecast &forecast)
     return found;
 }
 
-/// In the frame of the body's motion: from an impulse on the hand.
+/// The wrench on the body, from an impulse on the hand.
 ImpulseWrench wrench_of(const Impulse &impulse)
 {
     ImpulseWrench wrench;
@@ -39,7 +38,7 @@ ImpulseWrench wrench_of(const Impulse &impulse)
 }
 } // namespace
 
-bool MotionForecast::foresees(std::uintptr_t object) const
+bool MotionForecast::predicts(std::uintptr_t object) const
 {
     const auto is_it = [object](const Place &place) { return place.touch.object == object; };
     return std::any_of(places.begin(), places.begin() + count, is_it);

@@ -1,4 +1,4 @@
-// Notices of the threads of a loop, on their way to the program.
+// Queues of notices from the threads of a loop to the program.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_POST_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_POST_H
@@ -11,11 +11,10 @@
 
 namespace ode_predictive_space::haptics
 {
-/// One thread hands all notices to the program's sink, so that those that post them never wait for a terminal.
+/// One thread delivers all notices, so that posting never waits for a terminal.
 class NoticePost
 {
 public:
-    /// Who posts: each from one thread.
     enum class Side
     {
         servo,
@@ -24,13 +23,11 @@ public:
         clock
     };
 
-    /// @param sink may be empty.
     explicit NoticePost(NoticeSink sink) : sink_(std::move(sink)) {}
 
-    /// Neither allocates nor waits. Lost when a hundred others of this side are on their way.
+    /// Neither allocates nor waits. Drops the notice when a hundred of this side are queued.
     void post(const Notice &notice, Side side) { posted_[static_cast<std::size_t>(side)].give(notice); }
 
-    /// From one thread at a time.
     void deliver_all()
     {
         for (Queue<Notice> &queue : posted_)
@@ -41,10 +38,10 @@ public:
         }
     }
 
-    /// Whether the sink threw; it is not called any more, then. From any thread.
+    /// Whether the sink threw, after which it is not called. From any thread.
     bool sink_failed() const { return sink_failed_.load(std::memory_order_acquire); }
 
-    /// What it threw. After sink_failed().
+    /// The exception of the sink, after sink_failed().
     std::exception_ptr sink_error() const { return sink_error_; }
 
 private:
@@ -63,7 +60,7 @@ private:
         }
     }
 
-    static constexpr std::size_t most_notices = 100; ///< on their way
+    static constexpr std::size_t most_notices = 100; ///< per side
 
     NoticeSink sink_;
     std::array<Queue<Notice>, 4> posted_ = {Queue<Notice>(most_notices), Queue<Notice>(most_notices),

@@ -15,7 +15,7 @@ namespace
 {
 constexpr std::ptrdiff_t furthest_begin = 64; // bytes
 
-/// Zero times what is not finite is not a number.
+/// The product of zero and a number that is not finite is NaN.
 bool is_finite(const dReal *numbers, int count)
 {
     dReal sum = 0;
@@ -24,7 +24,6 @@ bool is_finite(const dReal *numbers, int count)
     return sum == 0;
 }
 
-/// @return 0 when all is finite.
 const char *broken_part_of(dBodyID body)
 {
     return !is_finite(dBodyGetPosition(body), 3)     ? "position"
@@ -36,13 +35,13 @@ const char *broken_part_of(dBodyID body)
                                                      : nullptr;
 }
 
-/// The first members of a body. A world has its bodies in a list, the last one made first.
+/// The first members of a body. A world lists its bodies, the newest first.
 struct ListedBody
 {
     const void *virtual_functions;
     dWorldID world;
     dBodyID next;
-    dBodyID *tome; ///< the pointer in this list that points here
+    dBodyID *tome; ///< the pointer to this body
 };
 
 const ListedBody &listed(dBodyID body)
@@ -50,7 +49,7 @@ const ListedBody &listed(dBodyID body)
     return *reinterpret_cast<const ListedBody *>(body);
 }
 
-/// Where in a world its list begins. Asked of a world of its own. @return none when its bodies are not listed as expected.
+/// The offset of the list in a world, found by a test world; none if bodies are not listed as expected.
 std::optional<std::ptrdiff_t> find_begin_of_list()
 {
     const dWorldID world = dWorldCreate();
@@ -98,7 +97,6 @@ void SceneBodies::DestroyMark::operator()(dGeomID geom) const
     dGeomDestroy(geom);
 }
 
-/// @return 0 when it was destroyed.
 dWorldID SceneBodies::world_of(const Mark &mark)
 {
     const dBodyID body = dGeomGetBody(mark.get());

@@ -11,22 +11,23 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t nodes = MotionForecast::nodes;
-constexpr double least_test = 1e-3; // N s; the response to less is noise
+constexpr double least_test = 1e-3; // N s; the response to a smaller push is noise
 
-/// Angular frequency times step. ODE itself is unstable from 2 on.
+/// Angular frequency times step; ODE is unstable from 2 on.
 constexpr double most_swing = 1.2;
 
-/// The same of a body in contact, on the spring between it and the hand. Contact joints are those of one step, so that what is tried
-/// with them holds as long as the hand moves the body little in a step: else the hand feels up to 1.7 times the friction of a box
-/// on a floor, and 0.7 times that of a stack, in which contacts act through each other.
+/// As above for a body in contact, on the spring between it and the hand. Contact joints belong to one step, so a
+/// roll-out is valid while the hand moves the body little in a step. With longer steps the rendered friction is up to
+/// 1.7 times that of a box on a floor, and 0.7 times that of a stack.
 constexpr double most_spring = 0.5;
 constexpr double most_spring_of_stack = 0.25;
 
-/// s; by QuickStep, a body in contact jumps by up to 1.75 g times the square of a step: at 4 ms, with 500 N/m, 5 % of 2.8 N.
+/// s; with QuickStep, a body in contact jumps by up to 1.75 g times the squared step: at 4 ms and 500 N/m, 5 % of 2.8
+/// N.
 constexpr double longest_quick_step = 0.004;
 
 constexpr int most_steps = 16; // per period
-constexpr double fall = 9.81;  // m/s^2; a surprise of less than a quarter of what falls is none
+constexpr double fall = 9.81;  // m/s^2; a deviation below a quarter of free fall is ignored
 
 double norm_of(const BodyMotion &motion, const Eigen::Matrix<double, 6, 6> &inertia)
 {
@@ -72,7 +73,7 @@ void SceneMotion::push_all(double h)
     waiting_.clear();
 }
 
-void SceneMotion::foresee(const ContactModel &planes, double time, double period, int affordable,
+void SceneMotion::predict(const ContactModel &planes, double time, double period, int affordable,
                           MotionForecast &forecast)
 {
     forecast.time = time;
@@ -88,13 +89,13 @@ void SceneMotion::foresee(const ContactModel &planes, double time, double period
     has_joints_ = island.has_joints();
     choose_steps(island, period, affordable);
     const double h = period / steps_per_period_;
-    foreseen_step_ = h;
+    predicted_step_ = h;
     forecast.node_length = h;
     const std::vector<BodyImpulse> rest = rest_of_impulses();
     const Courses free = try_out(island, rest, h);
     for (std::size_t i = 0; i < touched_.size(); ++i)
     {
-        touched_[i].foreseen = free[i][1];
+        touched_[i].predicted = free[i][1];
         MotionForecast::Place &place = forecast.places[i];
         place.free = free[i];
         for (std::size_t node = 0; node <= nodes && !repeats(); ++node)
@@ -111,22 +112,21 @@ void SceneMotion::note_step(bool drew_numbers)
     if (!last_.empty() || touched.empty())
         return;
     const auto surprises = [this](const Touched &each) { return moved_otherwise(each); };
-    surprises_ = std::any_of(touched.begin(), touched.end(), surprises) ? surprises_ + 1 : 0;
+    deviations_ = std::any_of(touched.begin(), touched.end(), surprises) ? deviations_ + 1 : 0;
 }
 
-/// Than was foreseen.
 bool SceneMotion::moved_otherwise(const Touched &touched) const
 {
     if (sensor_.body_of(touched.touch.object) != touched.body)
         return false;
     const Vector3 moved = motion_of(touched).head<3>();
-    const Vector3 foreseen = touched.foreseen.head<3>();
-    const double error = (moved - foreseen).norm();
-    return error > 0.25 * fall * foreseen_step_ * foreseen_step_ &&
-           error > 0.5 * std::max(moved.norm(), foreseen.norm());
+    const Vector3 predicted = touched.predicted.head<3>();
+    const double error = (moved - predicted).norm();
+    return error > 0.25 * fall * predicted_step_ * predicted_step_ &&
+           error > 0.5 * std::max(moved.norm(), predicted.norm());
 }
 
-/// While all touched bodies sleep, a step has no constraints, and does not show by which stepper it was made.
+/// Whether a touched body is enabled: otherwise a step has no constraints and does not reveal the stepper.
 bool SceneMotion::is_one_awake() const
 {
     return std::any_of(touched_.begin(), touched_.end(), [&](const Touched &touched) {
@@ -134,7 +134,6 @@ bool SceneMotion::is_one_awake() const
     });
 }
 
-/// The deepest ones whose bodies can move, all of one world.
 void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
 {
     touched_.clear();
@@ -158,8 +157,8 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
     }
 }
 
-/// Never back to longer ones: the forces of the joints come and go. One look alone may be that of a blow. What is unstable otherwise
-/// is stepped as often as it has to be, what is felt better by that as often as there is time for.
+/// The number of steps never decreases, because joint forces come and go. It needs two measurements, because a single
+/// one may be that of a blow. Stability has priority; accuracy gets as many steps as there is time for.
 void SceneMotion::choose_steps(IslandRollOut &island, double period, int affordable)
 {
     double steps = std::ceil(island.fastest_swing(period / steps_per_period_) * period / most_swing);
@@ -175,7 +174,6 @@ void SceneMotion::choose_steps(IslandRollOut &island, double period, int afforda
     steps_needed_ = needed;
 }
 
-/// rad/s; of a touched body between the hand and the spring of its contact.
 double SceneMotion::fastest_spring() const
 {
     double square = 0;
@@ -188,7 +186,6 @@ double SceneMotion::fastest_spring() const
     return std::sqrt(square);
 }
 
-/// What the bodies will get in the next step for what the hand got already.
 std::vector<BodyImpulse> SceneMotion::rest_of_impulses() const
 {
     std::vector<BodyImpulse> impulses;
@@ -214,14 +211,10 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.orientation = tool_state_of(body).orientation;
     dMass mass;
     dBodyGetMass(body, &mass);
-    Eigen::Matrix3d own;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            own(row, column) = mass.I[4 * row + column];
     const Eigen::Matrix3d turn = touched.orientation.toRotationMatrix();
     touched.inertia.setZero();
     touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
-    touched.inertia.bottomRightCorner<3, 3>() = turn * own * turn.transpose();
+    touched.inertia.bottomRightCorner<3, 3>() = turn * inertia_of(mass) * turn.transpose();
     touched.inverse_inertia = touched.inertia.inverse();
     touched.pushes = pushes_on(touched);
     int column = 0;
@@ -230,7 +223,8 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     return touched;
 }
 
-/// Along the normal; sideways, where friction acts; and sideways without a moment, as the normal of a round body turns.
+/// Pushes along the normal, sideways for friction, and sideways without a moment for the turning normal of a round
+/// body.
 SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
 {
     const dBodyID body = touched.body;
@@ -242,7 +236,6 @@ SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
         {{body, arm, along}, {body, arm, aside}, {body, arm, across}, {body, centre, aside}, {body, centre, across}}};
 }
 
-/// Since the scene was looked at.
 BodyMotion SceneMotion::motion_of(const Touched &touched)
 {
     const Eigen::AngleAxisd turn(tool_state_of(touched.body).orientation * touched.orientation.conjugate());
@@ -264,7 +257,8 @@ SceneMotion::Courses SceneMotion::try_out(IslandRollOut &island, const std::vect
     return courses;
 }
 
-/// The first push is as strong as the last one of the hand; the others are tried beside it, which friction needs.
+/// The first push is as strong as the last one of the hand. The others are added to it, because friction depends on the
+/// normal force.
 void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest,
                                 double h, MotionForecast &forecast)
 {
@@ -297,8 +291,8 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const
     }
 }
 
-/// Constraints take motion away and never add any: all that they leave of a free body's motion lies in the ball whose diameter that
-/// motion is, by the measure of kinetic energy. What QuickStep finds can lie far outside.
+/// Constraints only reduce motion: measured by kinetic energy, the motion of a constrained body lies in the ball whose
+/// diameter is the free motion. QuickStep's results can lie far outside.
 BodyMotion SceneMotion::limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen,
                                 std::size_t pushed) const
 {

@@ -1,4 +1,4 @@
-// The motion of what the hand touches: how the scene gets the hand's impulses, and what it will make of them.
+// Delivery of the hand's impulses to the scene, and prediction of the touched bodies.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SCENE_MOTION_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SCENE_MOTION_H
@@ -10,50 +10,44 @@
 
 namespace ode_predictive_space::haptics
 {
-/// An impulse of a tick at tau within the step from a to a + h goes to this step with the weight 1 - (tau - a) / h, and to the next one
-/// with the rest. So a free body is at the ends of steps where it would be had it got each impulse at once, and nothing is lost. An
-/// impulse that comes too late, from before a, gets a weight above 1 and takes back in the next step what was too much.
-///
-/// Used from the scene's thread.
+/// An impulse of a tick at tau in the step from a to a + h goes to this step with the weight 1 - (tau - a) / h, and to
+/// the next one with the rest. So a free body is exact at the ends of steps, and no impulse is lost. A late impulse,
+/// from before a, gets a weight above 1 and a negative rest.
 class SceneMotion
 {
 public:
-    /// @param stiffness N/m; of the force law, for what has no material of its own.
     SceneMotion(TouchSensor &sensor, double stiffness);
 
-    /// To be pushed by the steps that it belongs to.
     void receive(const Impulse &impulse) { waiting_.push_back(impulse); }
 
-    /// Forces on the bodies for the step of a length h that begins at a: both in s.
+    /// Adds forces to the bodies for the step of length h that begins at a, both in s.
     void push(double a, double h);
 
-    /// The program has stepped its world. Was it as foreseen?
+    /// Compares the program's step with the prediction.
     ///
-    /// @param drew_numbers whether ODE's random numbers have gone on: only dWorldQuickStep() draws any, where there are constraints.
+    /// @param drew_numbers whether ODE's random seed has changed, which only dWorldQuickStep() with constraints does.
     void note_step(bool drew_numbers);
 
-    /// Whether the program's steps are those of ODE alone. When several in a row were not, bodies are taken to go on with the velocities that
-    /// they have.
-    bool repeats() const { return surprises_ < most_surprises; }
+    /// Whether the program's steps agree with the predictions. After several deviations in a row, constant velocities
+    /// are predicted.
+    bool repeats() const { return deviations_ < most_deviations; }
 
-    /// All that is left, for a step of a length h.
     void push_all(double h);
 
-    /// Tries out what the touched surfaces will do. After the program's collide(), before its advance().
+    /// Predicts the motion of the touched surfaces. After the program's collide(), before its advance().
     ///
-    /// @param period s; of the program's rate. @param affordable how many steps there is time for in a period.
-    void foresee(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
+    /// @param period s; of the program's rate. @param affordable maximum number of steps in a period.
+    void predict(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
 
-    /// A body that is not in the forecast goes by what it will get in the next step for what the hand got already.
+    /// Moves a body without a forecast by its remaining impulses of the next step.
     void push_rest(NearbyGeom &geom) const;
 
-    /// How often the scene has to be stepped, and looked at, in a period of the program's rate. Never less than before.
+    /// The number of steps, each with a collision, in a period of the program's rate. It never decreases.
     int steps_per_period() const { return steps_per_period_; }
 
 private:
     using Pushes = std::array<BodyImpulse, MotionForecast::tried_pushes>;
 
-    /// A body, and what it was when the scene was looked at.
     struct Touched
     {
         dBodyID body;
@@ -62,15 +56,15 @@ private:
         Quaternion orientation;
         Eigen::Matrix<double, 6, 6> inertia;         ///< mass and moments of inertia, the world's frame
         Eigen::Matrix<double, 6, 6> inverse_inertia; ///< of it
-        Pushes pushes;                               ///< that are tried, of 1 N s
+        Pushes pushes;                               ///< of 1 N s
         Eigen::Matrix<double, 6, MotionForecast::tried_pushes> wrenches; ///< of the pushes
-        BodyMotion foreseen;                                             ///< in the next step, if the hand does nothing
+        BodyMotion predicted;                                            ///< in the next step, without the hand
     };
 
     using Course = MotionForecast::Course<BodyMotion>;
     using Courses = std::array<Course, MotionForecast::most_touches>;
 
-    static constexpr int most_surprises = 5; ///< one after the other
+    static constexpr int most_deviations = 5; ///< in a row
 
     void push_now(const std::vector<Impulse> &impulses, double h);
     void find_touched(const ContactModel &planes, MotionForecast &forecast);
@@ -91,17 +85,17 @@ private:
     TouchSensor &sensor_;
     double stiffness_; ///< N/m
     std::vector<Impulse> waiting_;
-    std::vector<Impulse> rest_; ///< of the impulses of the last step: for the next one
+    std::vector<Impulse> rest_; ///< parts of the last step's impulses for the next one
     std::vector<Impulse> last_; ///< pushed in the last step
     std::vector<ForceShare> shares_;
     std::vector<Touched> touched_;
     std::uint64_t received_ = 0;
     int steps_per_period_ = 1;
-    double foreseen_step_ = 0; ///< s
-    int surprises_ = 0;        ///< steps in a row that were not as foreseen
-    int steps_needed_ = 1;     ///< at the last look
-    bool has_joints_ = false;  ///< what was tried out last
-    bool quick_ = true;        ///< the program steps by dWorldQuickStep(), as far as is known
+    double predicted_step_ = 0; ///< s
+    int deviations_ = 0;        ///< consecutive steps that deviated
+    int steps_needed_ = 1;      ///< by the last measurement
+    bool has_joints_ = false;   ///< of the last roll-out
+    bool quick_ = true;         ///< the program seems to use dWorldQuickStep()
 };
 } // namespace ode_predictive_space::haptics
 

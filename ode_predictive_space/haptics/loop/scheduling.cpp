@@ -13,7 +13,6 @@ namespace
 constexpr int servo_priority = 70; // of 1 to 99; below the kernel's own threads for interrupts that need it
 constexpr int guard_priority = 71;
 
-/// Whether the process has locked anything so far.
 bool is_memory_locked()
 {
     std::ifstream status("/proc/self/status");
@@ -67,7 +66,7 @@ AtEnd keep_scheduling()
 
 AtEnd lock_memory(std::atomic<int> &error)
 {
-    const bool was_locked = is_memory_locked(); // some of it: the system cannot unlock the rest alone
+    const bool was_locked = is_memory_locked(); // by the program; the system cannot unlock the rest alone
     const bool granted = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
     error = granted ? 0 : errno;
     return granted && !was_locked ? AtEnd([] { munlockall(); }) : AtEnd();

@@ -1,4 +1,4 @@
-// What a system can do for a thread that must be punctual.
+// Real-time priority and locked memory.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SCHEDULING_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SCHEDULING_H
@@ -10,7 +10,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What was asked for, and what came of it. May be written and read in different threads.
+/// Results of the requests. Different threads may write and read them.
 class SchedulingOutcome
 {
 public:
@@ -20,23 +20,18 @@ public:
 
     bool refused() const { return asked && (priority_error != 0 || memory_error != 0); }
 
-    /// In sentences, with the remedy where something was refused.
+    /// Sentences for people, with a remedy for refused requests.
     std::string text() const;
 };
 
-/// SCHED_FIFO for the calling thread.
-///
-/// @param above_servo a guard goes before the servo that it guards.
-/// @return 0 or errno.
+/// Requests SCHED_FIFO for the calling thread.
 int ask_for_real_time(bool above_servo);
 
-/// What gives this thread the scheduling back that it has now. To be done in the same thread.
+/// Returns a guard object that restores the present scheduling in the same thread.
 AtEnd keep_scheduling();
 
-/// From now on the process's memory stays where it is and is never paged out, as far as the system permits, until what is returned goes.
-/// What was locked before, by the program, is locked after.
-///
-/// @param error becomes 0 or errno.
+/// Locks the process's memory against paging, as far as the system permits, until the result is destroyed. Memory that
+/// the program has locked before stays locked.
 AtEnd lock_memory(std::atomic<int> &error);
 } // namespace ode_predictive_space::haptics
 

@@ -1,4 +1,4 @@
-// How long periods and ticks took.
+// Statistics of periods and times of ticks.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TIME_HISTOGRAM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TIME_HISTOGRAM_H
@@ -12,13 +12,13 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Times, by their size, in buckets of constant relative width. Nothing is allocated after the constructor.
+/// Counts of times in buckets of constant relative width. Allocates nothing after construction.
 ///
-/// One thread adds; any thread may ask at any time, and then sees all but the very last.
+/// One thread adds; any thread may read at any time, and may miss the last value.
 class TimeHistogram
 {
 public:
-    /// @param seconds >= 0. What is shorter than a nanosecond counts as one, what is longer than 10,000 s as that.
+    /// @param seconds >= 0; clamped to 1 ns and 10,000 s.
     void add(double seconds)
     {
         const double time = std::clamp(seconds, 1 / nanoseconds, longest);
@@ -28,10 +28,9 @@ public:
         increase(count_, std::uint64_t{1});
     }
 
-    /// How many times were added.
     std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
 
-    /// The time that the given share of all times, 0 to 1, does not exceed: never too short, and too long by less than 2 %.
+    /// The quantile of a share, 0 to 1: never too short, and too long by less than 2 %.
     double quantile(double share) const
     {
         const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count())));
@@ -45,7 +44,6 @@ public:
         return 0;
     }
 
-    /// Of all times that were added.
     TimeSummary summary() const
     {
         TimeSummary summary;
@@ -65,9 +63,9 @@ private:
     static constexpr double nanoseconds = 1e9; // per second
     static constexpr double longest = 1e4;     // s
     static constexpr int steps_per_octave = 64;
-    static constexpr int octaves = 44; // 2^44 ns are 4.9 hours
+    static constexpr int octaves = 44; // 2^44 ns = 4.9 h
 
-    /// There is one writer: no read-modify-write is needed.
+    /// With one writer, no atomic read-modify-write is needed.
     template <typename Number> static void increase(std::atomic<Number> &number, Number by)
     {
         number.store(number.load(std::memory_order_relaxed) + by, std::memory_order_relaxed);

@@ -13,7 +13,7 @@ namespace
 thread_local bool tries = false;
 thread_local std::uint64_t kept_back = 0;
 
-std::mutex handler_mutex; // of the number of trials, and of the exchange
+std::mutex handler_mutex; // guards trials and the exchange of handlers
 int trials = 0;
 std::atomic<dMessageFunction *> handler_of_program{nullptr};
 

@@ -1,4 +1,4 @@
-// Messages of ODE about steps that are only tried.
+// Suppression of ODE's messages about trial steps.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TRIAL_MESSAGES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TRIAL_MESSAGES_H
@@ -7,8 +7,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// As long as one of these lives, messages of ODE in its thread are counted, and do not reach the program, which has not made the
-/// steps that they are about. Messages of other threads reach the program's handler as usual.
+/// Counts messages of ODE in its thread during its lifetime, and keeps them from the program, which has not made these
+/// steps. Messages of other threads reach the program's handler.
 class TrialMessages
 {
 public:
@@ -17,7 +17,6 @@ public:
     TrialMessages(const TrialMessages &) = delete;
     TrialMessages &operator=(const TrialMessages &) = delete;
 
-    /// So far, in this thread.
     std::uint64_t count() const;
 };
 } // namespace ode_predictive_space::haptics

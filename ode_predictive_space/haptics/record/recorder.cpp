@@ -18,13 +18,13 @@ constexpr std::size_t most_text = 1 << 16; // bytes; written at once
 template <class Number> void append(std::string &text, Number number)
 {
     std::array<char, 32> digits;
-    // Without a precision, this prints the fewest digits that give back the same double.
+    // Without a precision, this prints the shortest digits that read back as the same double.
     const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
     text += ' ';
     text.append(digits.data(), result.ptr);
 }
 
-/// Of a text that may have any characters, as much as the reader takes of a line.
+/// Truncates a text to a line that the reader accepts.
 std::string line_of(std::string text)
 {
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -64,7 +64,7 @@ Recorder::~Recorder()
     }
     catch (...)
     {
-        // close() tells the caller.
+        // close() reports errors to the caller.
     }
 }
 

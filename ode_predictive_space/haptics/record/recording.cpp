@@ -15,7 +15,7 @@ namespace
 {
 constexpr double length_tolerance = 0.01; // of a quaternion, in a file of few digits
 
-/// Takes the first word off the text, and the blanks around it; an empty word if there is none.
+/// Removes the first word, with the blanks around it, from the text; empty at its end.
 std::string_view take_word(std::string_view &text)
 {
     constexpr const char *blanks = " \t\r";
@@ -34,7 +34,6 @@ template <class Number> void read(std::string_view word, Number &number)
         throw std::invalid_argument("\"" + std::string(word) + "\" is not a number that can be there, or not finite");
 }
 
-/// What follows the mark that the line begins with.
 std::optional<std::string_view> after(std::string_view mark, std::string_view line)
 {
     return line.substr(0, mark.size()) == mark ? std::optional(line.substr(mark.size())) : std::nullopt;
@@ -48,7 +47,7 @@ Quaternion of_length_one(const Quaternion &q)
     return std::abs(error) > exact_length_tolerance ? Quaternion(q.normalized()) : q;
 }
 
-/// Makes a recording of lines. What it throws says what is wrong with the line.
+/// Builds a recording from lines. Its exceptions say what is wrong with a line.
 class Reader
 {
 public:
@@ -145,7 +144,7 @@ Recording read_recording(const std::string &file, std::size_t most_ticks)
         while (stream.getline(line.data(), line.size()))
         {
             ++number;
-            const auto taken = static_cast<std::size_t>(stream.gcount()); // with the end of the line, if it has one
+            const auto taken = static_cast<std::size_t>(stream.gcount()); // including the end of the line, if any
             reader.take({line.data(), stream.eof() ? taken : taken - 1});
         }
         if (stream.eof() || stream.bad())
@@ -178,7 +177,7 @@ ForceError compare_forces(const std::vector<Vector3> &recorded, const std::vecto
         result.max = std::max(result.max, error.norm());
     }
     result.rms = std::sqrt(errors / static_cast<double>(recorded.size()));
-    result.relative = errors == 0 ? 0 : std::sqrt(errors / truth); // infinite where nothing was recorded
+    result.relative = errors == 0 ? 0 : std::sqrt(errors / truth); // infinite for a recording without force
     return result;
 }
 } // namespace ode_predictive_space::haptics

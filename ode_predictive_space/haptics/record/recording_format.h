@@ -1,4 +1,4 @@
-// What writing and reading a recording have in common. The lines are those of docs/haptics/guide.md.
+// The format of recordings, for writing and reading; docs/haptics/guide.md describes the lines.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_FORMAT_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RECORDING_FORMAT_H
@@ -13,10 +13,10 @@ namespace ode_predictive_space::haptics
 constexpr const char *device_line_mark = "# ode_predictive_space device:";
 constexpr const char *law_line_mark = "# ode_predictive_space law:";
 
-/// Then the device's delay in s. Only where there is one.
+/// Followed by the device's delay in s, if any.
 constexpr const char *delay_line_mark = "# ode_predictive_space delay:";
 
-/// How far from 1 the length of a quaternion may be that is recorded and read as it is.
+/// Tolerance of the length of a quaternion that is recorded and read unchanged.
 constexpr double exact_length_tolerance = 1e-6;
 
 template <class Vector, class Visit> void visit_each(Vector &vector, Visit &visit)
@@ -25,7 +25,7 @@ template <class Vector, class Visit> void visit_each(Vector &vector, Visit &visi
         visit(vector[i]);
 }
 
-/// Calls `visit` with each number of the line of a device, in order; what follows them is the name.
+/// Calls `visit` with each number of a device's line, in order; the name follows.
 template <class Device, class Visit> void visit_device(Device &device, Visit visit)
 {
     visit(device.input_axes);
@@ -38,7 +38,6 @@ template <class Device, class Visit> void visit_device(Device &device, Visit vis
     visit_each(device.workspace.max(), visit);
 }
 
-/// The same of the line of a tick.
 template <class Tick, class Visit> void visit_tick(Tick &tick, Visit visit)
 {
     visit(tick.state.time);
@@ -50,7 +49,7 @@ template <class Tick, class Visit> void visit_tick(Tick &tick, Visit visit)
     visit_each(tick.state.angular_velocity, visit);
 }
 
-/// What errno says after a file could not be opened.
+/// The error of a file that could not be opened, from errno.
 inline DeviceError file_error(const std::string &file, int error)
 {
     DeviceFault fault = DeviceFault::bad_file;

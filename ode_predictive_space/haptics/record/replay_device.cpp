@@ -8,16 +8,15 @@ namespace
 {
 constexpr double same_time = 1e-9;     // s
 constexpr double longest_curve = 0.25; // s; between two ticks
-constexpr double margin = 0.001;       // m; around the positions of a recording that tells no workspace
+constexpr double margin = 0.001;       // m; around the positions of a recording without a workspace
 
-/// The way from one tick to the next.
 struct Leg
 {
     Leg(const DeviceState &from, const DeviceState &to) : seconds(to.time - from.time)
     {
         velocity = (to.position - from.position) / seconds;
         Quaternion turn = to.orientation * from.orientation.conjugate();
-        turn.coeffs() *= turn.w() < 0 ? -1 : 1; // the short way
+        turn.coeffs() *= turn.w() < 0 ? -1 : 1; // the shorter rotation
         const Eigen::AngleAxisd turned(turn);
         angular_velocity = turned.angle() / seconds * turned.axis();
     }
@@ -33,7 +32,7 @@ Vector3 slope_between(const Vector3 &before, double seconds_before, const Vector
     return (seconds_after * before + seconds_before * after) / (seconds_before + seconds_after);
 }
 
-// At both ends of the recording the one leg there is stands for two.
+// At both ends of the recording, the single leg counts twice.
 void derive_velocities(std::vector<RecordedTick> &ticks)
 {
     const std::size_t last = ticks.size() - 1;
@@ -48,7 +47,6 @@ void derive_velocities(std::vector<RecordedTick> &ticks)
     }
 }
 
-/// What the device could do at least, of which the file tells nothing.
 Capabilities capabilities_without_device(const std::vector<RecordedTick> &ticks)
 {
     Capabilities capabilities;
@@ -110,7 +108,7 @@ DeviceState ReplayDevice::move_to(double seconds)
     return at_rest;
 }
 
-// Both times are counted from the first tick, so that the difference is the same number as in the run.
+// Relative to the first tick, so that differences are the same numbers as in the run.
 double ReplayDevice::seconds_at(std::size_t tick) const
 {
     return recording_.ticks[tick].state.time - recording_.ticks.front().state.time;

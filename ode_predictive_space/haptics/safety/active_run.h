@@ -1,4 +1,4 @@
-// A loop that runs, for what must not go before it ends.
+// A running loop, for objects that must outlive its run.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_ACTIVE_RUN_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_ACTIVE_RUN_H
@@ -9,20 +9,17 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Shared by a loop and its probe, and outlives both. Made in the thread that calls run().
+/// Shared by a loop and its probe; made in the thread that calls run().
 class ActiveRun
 {
 public:
-    /// Whether the loop is to end. From any thread.
-    bool is_told_to_stop() const { return stop_.load(std::memory_order_relaxed); }
+    bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }
 
-    /// Of the loop: it has ended, and touches neither itself nor the probe any more.
+    /// For the loop: it has ended, and uses neither itself nor the probe any more.
     void end() { end_.set_value(); }
 
-    /// Of a destructor: tell the loop to end, and wait for it. In the loop's own thread, or when it does not end within 5 s, the
-    /// program is terminated: without force, and with a message.
-    ///
-    /// @param what is destroyed.
+    /// For destructors: ends the loop, and waits for it. In the loop's own thread, or after 5 s, terminates the program
+    /// without force and with a message.
     void end_and_wait(const char *what) noexcept;
 
 private:

@@ -13,10 +13,10 @@ namespace
 constexpr int most_attempts = 200;
 constexpr std::chrono::microseconds between_attempts(100);
 
-thread_local const DeviceGate *visited = nullptr; ///< by this thread, which is in its device
+thread_local const DeviceGate *visited = nullptr; ///< the gate whose device this thread is in
 } // namespace
 
-/// @return false when a thread is in the device: then nothing is done.
+/// @return false, without calling work, when a thread is in the device.
 template <typename Work> bool DeviceGate::visit(const Work &work)
 {
     if (!enter())
@@ -29,7 +29,7 @@ template <typename Work> bool DeviceGate::visit(const Work &work)
     return true;
 }
 
-/// Waits for another thread, but not for this one, which may be in the device itself.
+/// Waits for another thread, but not for this thread, which may be in the device.
 bool DeviceGate::enter_soon()
 {
     for (int attempt = 0; attempt < most_attempts && visited != this; ++attempt)
@@ -51,19 +51,19 @@ bool DeviceGate::write(const Wrench &wrench)
 {
     bool written = false;
     visit([&] {
-        // Looked at inside: the guard closes the gate from inside, too.
+        // Checked inside, because the guard closes the gate inside, too.
         const bool closed = closed_.load(std::memory_order_relaxed) || shut_.load(std::memory_order_relaxed);
         if (closed && !(wrench.force.isZero(0) && wrench.torque.isZero(0)))
             return;
         device_.write(wrench);
-        if (shut_.load(std::memory_order_relaxed)) // meanwhile, without waiting for this any longer
+        if (shut_.load(std::memory_order_relaxed)) // by a thread that did not wait for this one
             device_.write(Wrench());
         written = true;
     });
     return written;
 }
 
-/// @return why the device was closed: it refuses zero.
+/// @return the exception of a device that refused zero and was closed.
 std::exception_ptr DeviceGate::zero_or_close() noexcept
 {
     try

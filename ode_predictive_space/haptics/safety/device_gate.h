@@ -1,4 +1,4 @@
-// One device, two threads: the servo's, and the guard that takes the force away when the servo hangs.
+// Mutual exclusion of the servo and its guard in a device.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_GATE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_GATE_H
@@ -11,56 +11,51 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Ensures that two threads are never in a device at once. Neither of them ever waits: a call that finds the device taken is
-/// skipped. A servo loop of which the program's part hangs is not in the device; then the guard can set its force to zero.
+/// Ensures that two threads are never in a device at once, without waiting: a call that finds the device busy is
+/// skipped. A servo that hangs in the program's part is not in the device, so the guard can set its force to zero.
 ///
-/// From then on the gate is closed to the servo's forces until it has noticed: what it computed before it hung must not be
-/// rendered after it.
+/// After that, the gate blocks the servo's forces until notice_closing(), because a force from before the hang must not
+/// be rendered.
 class DeviceGate
 {
 public:
-    /// @param device must outlive the gate.
     explicit DeviceGate(Device &device) : device_(device) {}
 
-    /// The device behind the gate: for calls that need no gate.
+    /// The device, for calls that need no gate.
     Device &device() const { return device_; }
 
-    /// Of the servo. @return false when the guard is in the device: then state is left alone. @throws DeviceError
+    /// For the servo. @return false, with the state unchanged, when the guard is in the device. @throws DeviceError
     bool read(double time, DeviceState &state);
 
-    /// Of the servo. @return false when the guard is in the device, or has closed the gate since notice_closing(): then
-    /// nothing is written, except that zero is always let through, as the guard may have found the device taken.
+    /// For the servo. @return false, without writing, when the guard is in the device or has closed the gate since
+    /// notice_closing(). Zero passes a closed gate, because the guard may have found the device busy.
     /// @throws DeviceError
     bool write(const Wrench &wrench);
 
-    /// Of the servo: no force; the device is closed when it refuses. Left to the guard when that is in the device.
+    /// For the servo: sets zero force; closes a device that refuses. Does nothing when the guard is in the device.
     void release() noexcept;
 
-    /// Of the servo: opens the gate again. @return whether the guard had closed it.
+    /// For the servo: opens the gate. @return whether the guard had closed it.
     bool notice_closing();
 
-    /// Of the guard: no force, and the gate is closed: the force is zero until the servo has noticed.
+    /// For the guard: sets zero force, and closes the gate until notice_closing().
     ///
-    /// @param now s; on any clock.
-    /// @return false when the servo is in the device: it does not hang in the program, or else the device's driver hangs.
-    /// @throws DeviceError when the device refuses; it has been closed then.
+    /// @return false when the servo is in the device; if that persists, the driver hangs.
+    /// @throws DeviceError of a device that refused and was closed.
     bool close_with_zero(double now);
 
-    /// When the program ends: no force, and none ever again. From any thread. Another thread that is in the device is waited for,
-    /// 20 ms at most; then zero is written all the same, and at once where this thread itself is in the device.
+    /// At the end of the program: sets zero force for good, from any thread. Waits at most 20 ms for another thread in
+    /// the device, and not for this thread; then writes zero in any case.
     void shut() noexcept;
 
-    /// Whether a guard looks after this device.
     void set_guarded(bool guarded) { guarded_.store(guarded, std::memory_order_relaxed); }
     bool is_guarded() const { return guarded_.load(std::memory_order_relaxed); }
 
     /// The thread that read last: the servo's.
     std::thread::id reader() const { return reader_.load(std::memory_order_relaxed); }
 
-    /// How often the guard took the force away.
     std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
 
-    /// s; when it did so last, as close_with_zero() was told.
     double last_zero() const { return last_zero_.load(std::memory_order_relaxed); }
 
 private:
@@ -71,9 +66,9 @@ private:
     template <typename Work> bool visit(const Work &work);
 
     Device &device_;
-    std::atomic<bool> taken_{false}; ///< by a thread that is in the device
+    std::atomic<bool> taken_{false}; ///< a thread is in the device
     std::atomic<bool> closed_{false};
-    std::atomic<bool> shut_{false}; ///< for ever
+    std::atomic<bool> shut_{false}; ///< for good
     std::atomic<bool> guarded_{false};
     std::atomic<std::thread::id> reader_{};
     std::atomic<std::uint64_t> zeros_{0};

@@ -14,15 +14,14 @@ constexpr double usual_rate = 1000;        // Hz
 constexpr double try_again_after = 0.1;    // s
 constexpr double shortest_silence = 0.004; // s
 constexpr double periods_of_silence = 4;
-constexpr double longest_gap = 0.5;    // s; after that, a device that answers again can be anywhere
-constexpr double longest_doubt = 0.01; // s; after that, a device that tells nonsense is one that does not answer
+constexpr double longest_gap = 0.5;    // s; after that, a device can be anywhere
+constexpr double longest_doubt = 0.01; // s; after that, nonsense counts as no answer
 
 double rate_of(const Capabilities &capabilities)
 {
     return capabilities.rate > 0 ? capabilities.rate : usual_rate;
 }
 
-/// @return what closes it; nothing for a device that was open before.
 AtEnd opened(Device &device)
 {
     if (device.status().open)
@@ -31,8 +30,8 @@ AtEnd opened(Device &device)
     return AtEnd([&device] { device.close(); });
 }
 
-/// Why the state is impossible; 0 when it is possible. A device may leave the workspace that it reports, which may be too small, but
-/// not by a metre and twice the size of that.
+/// The reason for which a state is impossible, or 0. A device may leave its reported workspace by up to a metre or
+/// twice its size.
 const char *nonsense_in(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 {
     const bool is_finite = std::isfinite(state.time) && state.position.allFinite() &&
@@ -69,7 +68,7 @@ DeviceLink::News DeviceLink::read(double time, double rate, double top_speed)
     const bool answered = answers_;
     answers_ = time >= next_try_ && attempt([&] {
                    DeviceState state = state_;
-                   // With the guard in it, just now, what it told before will do.
+                   // While the guard is in the device, the former state is used.
                    return gate_.read(time_, state) ? follow(state, rate) : answered;
                });
     News news;
@@ -85,7 +84,7 @@ DeviceLink::News DeviceLink::read(double time, double rate, double top_speed)
     return news;
 }
 
-/// @return what the call of the device returns, or false when it throws: the device has failed then.
+/// @return the result of the call; false after an exception, which counts as a failure.
 template <typename Call> bool DeviceLink::attempt(const Call &call)
 {
     try
@@ -110,13 +109,11 @@ bool DeviceLink::follow(const DeviceState &state, double rate)
         doubt(nonsense);
         return false;
     }
-    const double slower_rate = std::min(capabilities().rate, rate);
-    if (is_silent(state, slower_rate))
+    if (is_silent(state, std::min(capabilities().rate, rate)))
     {
         fail("The device has told nothing new for too long.");
         return false;
     }
-    delay_meter_.note(time_ - state.time, slower_rate > 0 ? 1 / slower_rate : 0);
     state_ = state;
     motion_.follow(state_);
     return true;
@@ -136,15 +133,15 @@ void DeviceLink::fail(std::string_view why)
 {
     answers_ = false;
     next_try_ = time_ + try_again_after;
-    gate_.release(); // before anything else that might fail
+    gate_.release(); // before anything else can fail
     if (!failed_)
     {
         failed_ = true;
-        notices_.tell(NoticeKind::device, "No force: " + std::string(why));
+        notices_.notify(NoticeKind::device, "No force: " + std::string(why));
     }
 }
 
-/// The next state may be right again, and the hand still lean on what it leant on.
+/// The next state may be valid again, with the hand in the same contact.
 void DeviceLink::doubt(std::string_view why)
 {
     if (!failed_)

@@ -1,4 +1,4 @@
-// A device that is read and written in each tick, and may fail in any of them.
+// A device that is read and written in each tick, with its failures.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_LINK_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICE_LINK_H
@@ -12,24 +12,22 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Opens a device unless it is open, and makes it known to what takes the force away when the program ends. A device that throws, tells
-/// nonsense, or tells nothing new has failed: it gets zero force, and is tried again ten times a second. One that does not even take
-/// the zero is closed. Neither allocates nor locks as long as the device answers.
+/// Opens a device unless it is open, and registers it for zero force at the end of the program. A device that throws,
+/// reports nonsense or nothing new has failed: it gets zero force, and is tried again ten times a second. A device that
+/// refuses zero is closed. Neither allocates nor locks while the device answers.
 class DeviceLink
 {
 public:
-    /// What a read() came to.
     struct News
     {
-        bool came_back = false; ///< it answers, and did not in the tick before
-        bool only_doubted =
-            false; ///< it had told nonsense, and only for so long that the hand may still lean on something
-        bool had_failed = false; ///< it answers, and a notice told that it does not
-        bool was_away = false;   ///< it answers, and did not for so long that it can be anywhere
-        bool has_jumped = false; ///< no hand moves as far in a tick
+        bool came_back = false;    ///< it answers, but not in the tick before
+        bool only_doubted = false; ///< it reported nonsense so briefly that the hand may still be in contact
+        bool had_failed = false;   ///< it answers after a reported failure
+        bool was_away = false;     ///< it answers after so long that it can be anywhere
+        bool has_jumped = false;   ///< it moved farther than a hand in a tick
     };
 
-    /// @param device is not owned, and must outlive the link. @throws DeviceError; std::logic_error when another link has it.
+    /// @param device not owned; must outlive the link. @throws DeviceError; std::logic_error when another link has it.
     DeviceLink(Device &device, const NoticeDesk &notices);
 
     /// Closes the device if it was opened here.
@@ -37,29 +35,24 @@ public:
     DeviceLink(const DeviceLink &) = delete;
     DeviceLink &operator=(const DeviceLink &) = delete;
 
-    /// A tick begins. @return whether a guard took the force away since the last one.
+    /// Begins a tick. @return whether a guard took the force away since the last one.
     bool notice_guard();
 
-    /// @param time s, simulated. @param rate Hz; how often it is read. @param top_speed m/s; beyond it, the position has jumped.
+    /// @param time s, simulated. @param rate Hz; of reads. @param top_speed m/s; a higher speed counts as a jump.
     News read(double time, double rate, double top_speed);
 
-    /// @return what was written: zero when it could not be.
     Wrench write(const Wrench &wrench);
 
     bool answers() const { return answers_; }
 
-    /// What notice_guard() returned.
     bool guard_acted() const { return guard_acted_; }
 
-    /// The device's frame; as read last, and with a velocity.
+    /// The last valid state with a velocity, in the device's frame.
     const DeviceState &state() const { return state_; }
 
-    /// m/s; by the positions, whatever the device tells.
+    /// m/s; measured from positions.
     double speed() const { return motion_.speed(); }
     void forget_motion() { motion_.forget(); }
-
-    /// s; by the time stamps of the states.
-    double measured_delay() const { return delay_meter_.delay(); }
 
     const Capabilities &capabilities() const { return gate_.device().capabilities(); }
     DeviceGate &gate() { return gate_; }
@@ -77,16 +70,15 @@ private:
     AtEnd opening_; ///< closes the device if it was opened here
     const NoticeDesk &notices_;
     DeviceMotion motion_;
-    DelayMeter delay_meter_;
     DeviceState state_;
     double time_ = 0; ///< s, simulated; of the last read()
     bool answers_ = false;
-    bool failed_ = false;          ///< and has not answered since
-    bool guard_acted_ = false;     ///< since the last tick
-    double doubted_since_ = never; ///< s, simulated; since when the device tells nonsense, if it does
-    double next_try_ = never;      ///< s, simulated; when a device that failed is tried again
-    double last_news_ = 0;         ///< s, simulated; when the device's state was a new one
-    double last_state_time_ = std::numeric_limits<double>::quiet_NaN(); ///< s; of the last state, by the device
+    bool failed_ = false;                                               ///< without an answer since
+    bool guard_acted_ = false;                                          ///< since the last tick
+    double doubted_since_ = never;                                      ///< s, simulated; beginning of nonsense
+    double next_try_ = never;                                           ///< s, simulated; next try of a failed device
+    double last_news_ = 0;                                              ///< s, simulated; of the last new state
+    double last_state_time_ = std::numeric_limits<double>::quiet_NaN(); ///< s; the device's time of the last state
     double last_answer_ = never;                                        ///< s, simulated
 };
 } // namespace ode_predictive_space::haptics

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/haptics/safety/notice_desk.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -32,41 +31,20 @@ std::string with_reason(const std::string &sentence)
 
 NoticeDesk::NoticeDesk(NoticeSink sink) : sink_(std::move(sink))
 {
-    told_.fill({-std::numeric_limits<double>::infinity(), 0, {}});
+    last_.fill(-std::numeric_limits<double>::infinity());
 }
 
-void NoticeDesk::tell(NoticeKind kind, std::string_view sentence) const
+void NoticeDesk::notify(NoticeKind kind, std::string_view sentence) const
 {
     if (sink_)
         sink_(Notice(kind, time_, sentence));
 }
 
-void NoticeDesk::tell_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence)
+void NoticeDesk::notify_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence)
 {
-    Told &told = told_[topic];
-    if (time_ - told.last >= tell_again_after)
-    {
-        told.last = time_;
-        tell(kind, sentence);
+    if (time_ - last_[topic] < notify_again_after)
         return;
-    }
-    ++told.times;
-    ++held_back_;
-    told.notice = Notice(kind, time_, sentence);
-}
-
-void NoticeDesk::tell_held_back(double quiet_for)
-{
-    for (Told &told : told_)
-    {
-        if (told.times == 0 || time_ - told.last < quiet_for)
-            continue;
-        std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
-        std::snprintf(text.data(), text.size(), "%s (%d more times, the last at %.3f s)", told.notice.text.data(),
-                      told.times, told.notice.time);
-        told.times = 0;
-        told.last = time_;
-        tell(told.notice.kind, text.data());
-    }
+    last_[topic] = time_;
+    notify(kind, sentence);
 }
 } // namespace ode_predictive_space::haptics

@@ -16,23 +16,23 @@ namespace ode_predictive_space::haptics::open_gates
 {
 namespace
 {
-/// Of one gate at a time. Never freed: a handler may be reading it.
+/// A slot for a gate. Never freed, because a handler may be reading it.
 struct Place
 {
     std::atomic<DeviceGate *> gate{nullptr};
     std::atomic<int> visitors{0};
-    std::atomic<std::thread::id> shut_by{}; ///< the last thread that did it
+    std::atomic<std::thread::id> shut_by{}; ///< the last thread that shut the gate
     Place *next = nullptr;
 };
 
 std::atomic<Place *> first_place{nullptr};
-std::mutex changes; // of gates. No driver is called while it is locked, and no handler takes it
+std::mutex changes; // guards changes. No driver is called under it, and no handler takes it
 
-thread_local int visits = 0; // of this thread, one within another
+thread_local int visits = 0; // nested visits of this thread
 
 constexpr std::chrono::microseconds between_looks(100);
 
-/// The gate stays while it is visited: remove() waits for its visitors.
+/// remove() waits for the visitors of a gate.
 template <typename Visit> void visit_all(const Visit &visit) noexcept
 {
     ++visits;
@@ -46,7 +46,7 @@ template <typename Visit> void visit_all(const Visit &visit) noexcept
     --visits;
 }
 
-/// The first place whose gate is such a one, which may be 0. @return 0 when there is none.
+/// The first slot whose gate, or 0, satisfies the predicate; otherwise 0.
 template <typename Predicate> Place *find_place(const Predicate &is_it) noexcept
 {
     Place *place = first_place;
@@ -76,21 +76,20 @@ std::atomic<bool> is_installed{false};
 std::terminate_handler earlier_terminate_handler = nullptr;
 struct sigaction earlier_abort_action;
 
-/// In a signal handler.
-void tell(std::string_view sentence) noexcept
+void notify(std::string_view sentence) noexcept
 {
     if (write(STDERR_FILENO, sentence.data(), sentence.size()) < 0)
-        return; // there is no other place to say it
+        return; // nothing else can be done
 }
 
 extern "C" void kill_hanging_program(int number)
 {
-    tell("ode_predictive_space: The program hangs in the device's driver at its end, and is killed: "
-         "only the device itself can remove its force.\n");
-    raise(number); // which has its default action again
+    notify("ode_predictive_space: The program hangs in the device's driver at its end, and is killed: "
+           "only the device itself can remove its force.\n");
+    raise(number); // which has its default action now
 }
 
-/// SIGALRM kills the program when the work takes more than a second.
+/// Runs the work; SIGALRM kills the program after a second.
 template <typename Work> void within_a_second(const Work &work) noexcept
 {
     struct sigaction action = {};
@@ -120,19 +119,18 @@ void end_forces_and_terminate()
     std::abort();
 }
 
-/// abort() ends the program in the thread that called it: what is safe in a terminate handler is safe here.
+/// abort() runs in the calling thread, so the rules of a terminate handler apply.
 extern "C" void end_forces_and_abort(int number)
 {
     if (!is_empty())
     {
         end_all_forces();
-        tell("ode_predictive_space: The program ends: no force any more.\n");
+        notify("ode_predictive_space: The program ends: no force any more.\n");
     }
     sigaction(SIGABRT, &earlier_abort_action, nullptr);
     raise(number);
 }
 
-/// From the first call on, what ends the program takes the forces away first.
 void guard_program_end() noexcept
 {
     if (is_installed.exchange(true))
@@ -167,7 +165,7 @@ void remove(DeviceGate &gate) noexcept
         if (place != nullptr)
             place->gate = nullptr;
     }
-    // A driver that this thread visits may have called exit(), which destroys the probe: such a visit never ends.
+    // A driver in this thread may have called exit(), which destroys the probe; such a visit never ends.
     while (place != nullptr && visits == 0 && place->visitors != 0)
         std::this_thread::sleep_for(between_looks);
 }
@@ -185,7 +183,7 @@ bool close_unguarded(std::thread::id reader, double now) noexcept
         }
         catch (...)
         {
-            // it was closed
+            // the device was closed
         }
     });
     return any;
@@ -197,7 +195,7 @@ void end_all_forces() noexcept
         return;
     within_a_second([] {
         visit_all([me = std::this_thread::get_id()](DeviceGate &gate, Place &place) {
-            // A driver that ends the program in this very call, too, is not called again.
+            // A driver that ends the program in this call is not called again.
             if (place.shut_by.exchange(me) != me)
                 gate.shut();
         });

@@ -1,4 +1,4 @@
-// All devices that may have a force on them: for the ends of a program that no destructor sees.
+// All devices that may render a force, for ends of the program without destructors.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_OPEN_GATES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_OPEN_GATES_H
@@ -7,25 +7,22 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A gate is in here as long as its renderer lives. From the first one on, exit(), quick_exit(), std::terminate(), which an exception
-/// that is not caught calls, and abort() take the force from all of them; what the program installed for these before is called
-/// afterwards.
+/// Each renderer registers its gate during its lifetime. From the first one on, exit(), quick_exit(), std::terminate()
+/// and abort() set zero force on all; handlers that the program installed before are called afterwards.
 ///
-/// The gates are read without a lock, so that the program may end anywhere: while a gate is added, or within a driver that a
-/// gate is just about to call.
+/// The gates are read without a lock, so that the program may end anywhere, even while a gate is added.
 namespace open_gates
 {
-/// @throws std::logic_error when there is a gate to the same device.
 void add(DeviceGate &gate);
 
-/// Returns when no other thread uses the gate any more.
 void remove(DeviceGate &gate) noexcept;
 
-/// No force on those that are read in this thread, which hangs, and have no guard of their own: probes that a program runs in a loop's
-/// callbacks. @param now s; on the guard's clock. @return whether there was one.
+/// Sets zero force on unguarded devices that a hung thread reads: probes that a program runs in a loop's callbacks.
+/// @param now s; on the guard's clock. @return whether there was one.
 bool close_unguarded(std::thread::id reader, double now) noexcept;
 
-/// No force on any device, ever again. From any thread, and from handlers. The program ends within a second even where a driver hangs.
+/// Sets zero force on all devices for good. From any thread and from handlers; a driver that hangs delays the end by at
+/// most a second.
 void end_all_forces() noexcept;
 } // namespace open_gates
 } // namespace ode_predictive_space::haptics

@@ -1,4 +1,4 @@
-// Sees to it that what is rendered gives no energy to the hand.
+// Passivity observer and controller.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
@@ -12,31 +12,28 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Passivity observer and passivity controller (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002),
+/// Passivity observer and controller (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002),
 /// for an impedance device, linear axes.
 ///
-/// The observer adds up the energy that went from the hand into what is rendered: minus the force that was written, times how
-/// far the hand has moved under it. As a device holds its force from write to write, that is no estimate. While
-/// it is negative, energy was created out of nothing, as by a wall that is too stiff or late, and the controller adds damping so
-/// that one tick takes the surplus out again, or as much of it as max_damping permits.
+/// The observer sums the energy from the hand: minus the written force times the hand's displacement under it, which is
+/// exact because a device holds its force between writes. A negative sum means that energy was created, as by a wall
+/// that is too stiff or late. Then the controller adds damping that removes the surplus in one tick, up to max_damping.
 ///
-/// Where device and driver are late (see set_delay()), the observer compares each motion with the force under which it came about. The
-/// damping is late, too; so a delay has to make walls softer first (see check_stability()).
+/// With a delay (see set_delay()), the observer pairs each motion with the force that caused it. The damping is late,
+/// too, so a delay also requires softer walls (see check_stability()).
 ///
-/// While no force is requested, nothing is stored that could be given back: then a credit ends, so that it cannot hide later
-/// activity; a debt stays.
+/// Without a requested force no energy is stored, so a credit ends and cannot hide later activity; a debt remains.
 class PassivityController
 {
 public:
-    /// @param max_damping N s/m, finite, >= 0; of the controller. Capabilities::max_damping suits; 0 makes it an observer.
-    /// @throws std::invalid_argument
+    /// @param max_damping N s/m, finite, >= 0; usually Capabilities::max_damping; 0 makes it an observer.
     explicit PassivityController(double max_damping) : max_damping_(max_damping)
     {
         check_not_negative(max_damping, "damping of a passivity controller");
         written_.fill(Vector3::Zero());
     }
 
-    /// Sets the round-trip delay: a position that is read now is the result of the force that was written so many ticks ago.
+    /// Sets the round-trip delay from a written force to the position that it causes.
     ///
     /// @param ticks up to most_delay.
     void set_delay(int ticks) { delay_ = static_cast<std::size_t>(std::clamp(ticks, 0, most_delay)); }
@@ -54,13 +51,13 @@ public:
             energy_ -=
                 written_[(newest_ + written_.size() - delay_) % written_.size()].dot(state.position - last_position_);
         if (!std::isfinite(energy_))
-            energy_ = 0; // a fault that others look for; it must not stay here
+            energy_ = 0; // other stages report it
         last_position_ = state.position;
         has_position_ = true;
         if (energy_ > 0 && requested.isZero(0))
             energy_ = 0;
 
-        // The damping that takes out in the coming tick, if the hand goes on as it does, what was created so far.
+        // The damping that removes the surplus in the coming tick at the present velocity.
         damping_ = 0;
         const double squared_speed = state.linear_velocity.squaredNorm();
         if (energy_ < 0 && squared_speed > 0)
@@ -71,13 +68,12 @@ public:
         return written_[newest_];
     }
 
-    /// What was really written after control(), where that differs.
+    /// Sets the written force after control(), where it differs.
     void written(const Vector3 &force) { written_[newest_] = force; }
 
-    double energy() const { return energy_; }   ///< J; into what is rendered, up to the last control()
-    double damping() const { return damping_; } ///< N s/m; what the controller added in the last control()
+    double energy() const { return energy_; }   ///< J; from the hand, up to the last control()
+    double damping() const { return damping_; } ///< N s/m; of the last control()
 
-    /// As at the start: no energy.
     void reset()
     {
         energy_ = 0;

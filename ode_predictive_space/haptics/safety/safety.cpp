@@ -22,10 +22,10 @@ double peak_speed_of_reach(const Eigen::AlignedBox3d &workspace)
     return std::isfinite(speed) && speed > 0 ? speed : unknown;
 }
 
-/// The vector itself, or one of the same direction that is as long as allowed, and not longer by rounding.
+/// The vector, shortened to the allowed length, also after rounding.
 Vector3 shortened(const Vector3 &vector, double most)
 {
-    // In units of the largest component: squares of huge numbers overflow, those of tiny ones vanish.
+    // Scaled by the largest component, because squares overflow or underflow.
     const double largest = vector.cwiseAbs().maxCoeff();
     if (largest == 0)
         return vector;
@@ -36,7 +36,6 @@ Vector3 shortened(const Vector3 &vector, double most)
     return scaled * (most / length * (1 - 1e-15));
 }
 
-/// From one vector towards another, by no more than a step.
 Vector3 stepped(const Vector3 &from, const Vector3 &to, double step)
 {
     const Vector3 change = to - from;
@@ -79,16 +78,6 @@ const char *explanation_of(SafetyAction action)
         "The force follows the requested one late, as that changed too fast.",
         "Less force than requested, as the watchdog holds it back."};
     return explanations[static_cast<int>(action)];
-}
-
-std::string SafetyReport::summary() const
-{
-    std::string lines;
-    for (int action = 0; action < safety_action_count; ++action)
-        if (calls[action] > 0)
-            lines +=
-                std::to_string(calls[action]) + " times: " + explanation_of(static_cast<SafetyAction>(action)) + "\n";
-    return lines;
 }
 
 SafetyStage::SafetyStage(const SafetyLimits &limits) : limits_(limits)
@@ -194,8 +183,6 @@ Wrench SafetyStage::bound(const Wrench &wrench, double allowed) const
 void SafetyStage::close_report(std::uint32_t before)
 {
     report_.begun = report_.now & ~before;
-    for (int action = 0; action < safety_action_count; ++action)
-        report_.calls[action] += (report_.now >> action) & 1u;
 }
 
 void SafetyStage::restart_ramp()

@@ -1,4 +1,4 @@
-// What limits the force: the last stage before a device, and what can be rendered stably.
+// The last stage before a device: limits of the force and of stable stiffness.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_STAGE_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_SAFETY_STAGE_H
@@ -7,45 +7,63 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Makes any wrench safe. One stage belongs to one device and is used from its servo loop. Neither allocates nor locks.
+/// Actions of the safety stage on a wrench.
+enum class SafetyAction
+{
+    not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
+    too_fast,     ///< the hand is faster than max_speed: zero, at once
+    waiting,      ///< the request was not small since the start: zero
+    no_axes,      ///< the device cannot push, or its maximum is unknown: zero
+    ramping,      ///< after the start or a fault: scaled down
+    clamped,      ///< was above the maximum: shortened, its direction kept
+    slew_limited, ///< changed too fast: approached gradually
+    held_back     ///< the allowance was below 1: scaled down
+};
+
+constexpr int safety_action_count = 8;
+
+const char *explanation_of(SafetyAction action);
+
+struct SafetyReport
+{
+    std::uint32_t now = 0;   ///< bit i: action i
+    std::uint32_t begun = 0; ///< actions that the call before did not take
+
+    bool did(SafetyAction action) const { return (now >> static_cast<int>(action)) & 1u; }
+    bool began(SafetyAction action) const { return (begun >> static_cast<int>(action)) & 1u; }
+};
+
+/// Limits any wrench to a safe one. One stage belongs to one device and its servo. Neither allocates nor locks.
 ///
-/// Whatever the requested wrench, the one that is returned
+/// For any request, the returned wrench
 /// - is finite;
 /// - is never above the maximum, nor above the maximum times the allowance;
-/// - differs from the one before by at most max_force_rate times the time between the calls, except on its way to zero:
-///   a fault (not_finite, too_fast) takes the force away at once, since what drives the hand then cannot be trusted, and a
-///   falling allowance as fast as it falls. A force never comes at once;
-/// - is zero from the start until the requested wrench was small once: a program that starts with the probe inside of something
-///   does not kick.
+/// - changes by at most max_force_rate times the time between the calls, except towards zero: a fault (not_finite,
+///   too_fast) removes the force at once, and a falling allowance as fast as it falls;
+/// - is zero from the start until the request was small once, so that a probe that begins inside of something does not
+///   kick.
 ///
-/// Time between two calls counts as 10 ms at most: after a pause, the force changes on slowly from where it was.
+/// The time between two calls counts as at most 10 ms, so that the force changes slowly after a pause.
 class SafetyStage
 {
 public:
-    /// @throws std::invalid_argument when a limit is negative or not finite.
     explicit SafetyStage(const SafetyLimits &limits);
 
-    /// One tick of the servo loop.
-    ///
     /// @param requested in the device's frame.
     /// @param velocity m/s; of the hand, in the device's frame.
-    /// @param time seconds on the loop's clock; going back counts as no time.
-    /// @param allowance 0 to 1: which part of the force may be there (see Watchdog).
-    /// @return what may be written to the device. Write this and nothing else.
+    /// @param time s, on the loop's clock; a step back counts as no time.
+    /// @param allowance 0 to 1; allowed part of the force (see Watchdog).
     Wrench limit(const Wrench &requested, const Vector3 &velocity, double time, double allowance = 1);
 
-    /// As at the start: the next wrench is zero, and the stage waits for a small one. Counts go on.
+    /// Returns to the start: zero until the request was small once.
     void reset();
 
-    /// The force was taken away behind the stage, and nothing else has changed: the next wrench is zero, and it comes back by the ramp.
+    /// Restarts the ramp from zero, after another part has taken the force away.
     void restart_ramp();
 
-    /// Whether the requested wrench was small once since the start.
     bool engaged() const { return engaged_; }
 
-    /// What was done in the last call and so far.
     const SafetyReport &report() const { return report_; }
-    /// As they were given.
     const SafetyLimits &limits() const { return limits_; }
 
 private:
@@ -68,10 +86,9 @@ private:
     bool engaged_ = false;
 };
 
-/// As check_stability() without words, for where something has to be rendered: neither allocates nor throws. Damping that nothing would make passive
-/// becomes none.
+/// check_stability() without a text, which neither allocates nor throws. Damping that cannot be passive becomes zero.
 ///
-/// @return what may be rendered; its stiffness and damping are those asked for, or less.
+/// @return the rendering with allowed stiffness and damping.
 Rendering renderable(const Capabilities &capabilities, const Rendering &rendering) noexcept;
 } // namespace ode_predictive_space::haptics
 

@@ -23,7 +23,6 @@ template <typename... Parts> std::string sentence(const Parts &...parts)
     return text.str();
 }
 
-/// What is wrong with the question; empty when nothing is.
 std::string nonsense(const Rendering &rendering)
 {
     if (!is_amount(rendering.stiffness))
@@ -42,8 +41,8 @@ std::string nonsense(const Rendering &rendering)
     return "";
 }
 
-/// N/m; by what was found by trial, for a nominal rate or a faster one. It stands for a damping, by which a delay counts as a slower
-/// loop does, unless the damping itself is known.
+/// N/m; from max_stiffness, which holds for the nominal rate or a faster one. It implies a damping, so a delay counts
+/// as a slower loop, unless the damping is known.
 double stiffest_of_device(const Capabilities &capabilities, const Rendering &rendering)
 {
     if (!(capabilities.max_stiffness > 0))
@@ -55,7 +54,7 @@ double stiffest_of_device(const Capabilities &capabilities, const Rendering &ren
     return capabilities.max_stiffness * std::min(1.0, part);
 }
 
-/// N/m; by passivity, with the law's damping.
+/// N/m; by passivity, for the law's damping.
 double stiffest_passive(const Rendering &rendering, double damping)
 {
     if (!rendering.device_damping)
@@ -63,7 +62,7 @@ double stiffest_passive(const Rendering &rendering, double damping)
     return 2 * (*rendering.device_damping - damping) / (1 / rendering.rate + 2 * rendering.delay);
 }
 
-/// Why no more than this stiffness is rendered: "3000 N/m is above <why>".
+/// The reason of a limit, for "3000 N/m is above <reason>".
 std::string bound_of(const Capabilities &capabilities, const Rendering &rendering, double most)
 {
     const std::string delay =
@@ -85,7 +84,7 @@ StabilityVerdict check_stability(const Capabilities &capabilities, const Renderi
         return {StabilityOutcome::refused, 0, 0, wrong};
     StabilityVerdict verdict{StabilityOutcome::fine, rendering.stiffness, rendering.damping, ""};
     if (capabilities.force_axes == 0)
-        return verdict; // nothing is rendered
+        return verdict;
 
     if (const double most = capabilities.max_damping; most > 0 && verdict.damping > most)
     {

@@ -20,7 +20,7 @@ constexpr int without_signal = 0;
 std::atomic<int> request_from{nothing};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not lock");
 
-std::mutex users_mutex; // of the two below; never taken by a handler
+std::mutex users_mutex; // guards the two below; no handler takes it
 int users = 0;
 std::array<struct sigaction, watched_signals.size()> old_actions;
 

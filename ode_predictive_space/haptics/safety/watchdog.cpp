@@ -25,7 +25,7 @@ const char *explanation_of(WatchdogReason reason)
 
 WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
 {
-    constexpr double overdue = 0.003; // s; after the next sign of life should have come
+    constexpr double overdue = 0.003; // s; after the due time of a sign of life
     constexpr double least = 0.004;   // s
     check_positive(servo_rate, "rate of the servo loop");
     check_positive(physics_rate, "rate of the physics");
@@ -55,7 +55,7 @@ void Watchdog::servo_ticked(double time)
     const Fault fault = find_fault(time, elapsed);
     reason_before_ = std::exchange(reason_, fault.reason);
 
-    if (has_ticked_ && time < last_tick_) // how long it has been is unknown
+    if (has_ticked_ && time < last_tick_) // the elapsed time is unknown
     {
         reason_ = WatchdogReason::servo_late;
         factor_ = 0;

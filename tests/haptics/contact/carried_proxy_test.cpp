@@ -32,7 +32,7 @@ TEST(CarriedProxy, StaysOnAThinSheetThatMovesByMoreThanTheProbesSizeInATick)
         const double height = dBodyGetPosition(body)[2]; // m; as the tick sees it
         world.run(probe, 1);
         const double depth = std::max(0.0, height + size);
-        ASSERT_NEAR(probe.last_tick().wished.z(), 10 * depth, 0.02 * 10 * depth + 1e-9)
+        ASSERT_NEAR(probe.last_tick().requested.z(), 10 * depth, 0.02 * 10 * depth + 1e-9)
             << tick << " at " << speed << " m/s";
         carried += depth > 0 && speed > 20 ? 1 : 0;
     }

@@ -33,11 +33,11 @@ protected:
         {
             if (sample.time > 0.7 && sample.time < middle - 0.001)
             {
-                ASSERT_NEAR(sample.wished.z(), 4 * radius * k, 1e-9) << sample.time;
+                ASSERT_NEAR(sample.requested.z(), 4 * radius * k, 1e-9) << sample.time;
             }
             if (sample.time > middle + 0.0035)
             {
-                ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
+                ASSERT_TRUE(sample.requested.isZero(0)) << sample.time << ": " << sample.requested.transpose();
             }
         }
     }
@@ -114,10 +114,10 @@ protected:
         double most = 0;
         for (std::size_t i = 0; i < count; ++i)
         {
-            most = std::max(most, one[i].wished.norm());
-            ASSERT_LE((one[i].wished - other[i].wished).norm(), tolerance)
-                << one[i].time << " at " << one[i].tool.transpose() << ": " << one[i].wished.transpose() << " and "
-                << other[i].wished.transpose();
+            most = std::max(most, one[i].requested.norm());
+            ASSERT_LE((one[i].requested - other[i].requested).norm(), tolerance)
+                << one[i].time << " at " << one[i].tool.transpose() << ": " << one[i].requested.transpose() << " and "
+                << other[i].requested.transpose();
         }
         EXPECT_GT(most, 1);
     }
@@ -155,7 +155,7 @@ TEST_P(SeveralPlanesTest, AMeshCornerFeelsLikeTwoBoxes)
     clock_.advance(1);
     const Samples of_boxes = run(&into_the_corner, 1.2);
     expect_equal(of_mesh, of_boxes, 1e-6);
-    EXPECT_LE((of_mesh.back().wished - Vector3(2.05, 0, 2)).norm(), 1e-6) << of_mesh.back().wished.transpose();
+    EXPECT_LE((of_mesh.back().requested - Vector3(2.05, 0, 2)).norm(), 1e-6) << of_mesh.back().requested.transpose();
 }
 
 TEST_P(SeveralPlanesTest, AUChannelOfOneBodyFeelsLikeThreeBoxes)
@@ -200,12 +200,12 @@ TEST_P(SeveralPlanesTest, AWallOfOneBodyDoesNotTakeTheFloorAway)
     dGeomSetBody(wall, body);
     dGeomSetOffsetPosition(wall, -0.1, 0, 0.2);
     const Samples samples = run(&into_the_corner, 1.2);
-    EXPECT_LE((samples.back().wished - Vector3(2.05, 0, 2)).norm(), 1e-6) << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(2.05, 0, 2)).norm(), 1e-6) << samples.back().requested.transpose();
     Vector3 before = Vector3::Zero();
     for (const Sample &sample : samples)
     {
-        ASSERT_LE((sample.wished - before).norm(), 0.2) << sample.time;
-        before = sample.wished;
+        ASSERT_LE((sample.requested - before).norm(), 0.2) << sample.time;
+        before = sample.requested;
     }
 }
 

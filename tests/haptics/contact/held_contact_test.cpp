@@ -24,8 +24,8 @@ protected:
         {
             const double depth = std::max(0.0, radius - sample.tool.z());
             deepest = std::max(deepest, depth);
-            ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), tolerance * k * depth + 1e-9)
-                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            ASSERT_LE((sample.requested - Vector3(0, 0, k * depth)).norm(), tolerance * k * depth + 1e-9)
+                << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
         }
         EXPECT_NEAR(deepest, 5 * radius, 1e-9);
     }
@@ -37,8 +37,8 @@ protected:
         for (const Sample &sample : samples)
         {
             const double depth = std::max(0.0, sample.tool.x() + radius);
-            ASSERT_LE((sample.wished - Vector3(-k * depth, 0, 0)).norm(), 1e-6 * k)
-                << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+            ASSERT_LE((sample.requested - Vector3(-k * depth, 0, 0)).norm(), 1e-6 * k)
+                << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
             if (proxy_law())
             {
                 ASSERT_LE(sample.proxy.x(), -radius + 1e-9) << sample.time;
@@ -89,7 +89,7 @@ TEST_P(HeldContactTest, ASphereHoldsToFiveRadii)
             return between({0, 0, 0.03}, {0, 0, radius - 3.9 * radius}, 0.1, 0.8, t);
         },
         1);
-    EXPECT_NEAR(samples.back().wished.z(), k * 3.9 * radius, 1e-6 * k);
+    EXPECT_NEAR(samples.back().requested.z(), k * 3.9 * radius, 1e-6 * k);
 }
 
 TEST_P(HeldContactTest, ACapsuleHolds)
@@ -100,8 +100,8 @@ TEST_P(HeldContactTest, ACapsuleHolds)
     dGeomSetRotation(capsule, lying);
     dGeomSetPosition(capsule, 0, 0, -0.002);
     const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.001}, 0.1, 0.8, t); }, 1);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 1.1 * radius)).norm(), 1e-6 * k)
-        << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 1.1 * radius)).norm(), 1e-6 * k)
+        << samples.back().requested.transpose();
 }
 
 TEST_P(HeldContactTest, APlaneHoldsToFiveRadii)
@@ -115,8 +115,8 @@ TEST_P(HeldContactTest, ARidgeOfNinetyDegreesPushesUpwards)
     const OdeMesh mesh(roof_mesh(45));
     mesh.add_to(world_.space);
     const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, radius - 0.002}, 0.1, 0.8, t); }, 1);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.01 * k * 0.002)
-        << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 0.01 * k * 0.002)
+        << samples.back().requested.transpose();
 }
 
 TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
@@ -145,9 +145,9 @@ TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
             distance = normal.dot(tool);
         }
         const Vector3 truth = k * std::max(0.0, radius - distance) * normal;
-        ASSERT_LE((sample.wished - truth).norm(), 0.01 * 2.5) << sample.time << ": " << sample.wished.transpose();
-        ASSERT_LE((sample.wished - before).norm(), 0.06) << sample.time; // 0.1 mm of motion at most, 500 N/m
-        before = sample.wished;
+        ASSERT_LE((sample.requested - truth).norm(), 0.01 * 2.5) << sample.time << ": " << sample.requested.transpose();
+        ASSERT_LE((sample.requested - before).norm(), 0.06) << sample.time; // 0.1 mm of motion at most, 500 N/m
+        before = sample.requested;
     }
     EXPECT_NEAR(before.z(), 2.5, 1);
 }
@@ -220,8 +220,8 @@ TEST_P(HeldContactTest, AMeshThatMovesAndTurnsHoldsOnItsWay)
         const Vector3 velocity = Vector3(0.02, -0.03, 0.04) + Vector3(0.3, -0.2, 0.5).cross(foot - position);
         const double depth = radius - normal.dot(sample.tool - position) + late * normal.dot(velocity);
         const Vector3 truth = k * std::max(0.0, depth) * normal;
-        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 0.02)
-            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        ASSERT_LE((sample.requested - truth).norm(), 0.01 * truth.norm() + 0.02)
+            << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
         compared += depth > 2 * radius ? 1 : 0;
     }
     EXPECT_GT(compared, 100);
@@ -242,7 +242,7 @@ TEST(HeldContact, HoldsInAnySpaceAndInASpaceWithinIt)
             });
             HapticProbe probe(device, world.space, radius, RenderSettings());
             world.run(probe, 700);
-            EXPECT_NEAR(probe.last_tick().wished.z(), 5 * radius * 500, 1e-9)
+            EXPECT_NEAR(probe.last_tick().requested.z(), 5 * radius * 500, 1e-9)
                 << static_cast<int>(choice) << ' ' << nested;
         }
     }
@@ -286,8 +286,8 @@ TEST_P(HeldContactTest, AnUntidySheetIsAsFlatAsATidyOne)
     for (const Sample &sample : samples)
     {
         const double depth = std::max(0.0, radius - sample.tool.z());
-        ASSERT_LE((sample.wished - Vector3(0, 0, k * depth)).norm(), 1e-3 * k * depth + 1e-9)
-            << sample.time << ": " << sample.wished.transpose() << " at " << sample.tool.transpose();
+        ASSERT_LE((sample.requested - Vector3(0, 0, k * depth)).norm(), 1e-3 * k * depth + 1e-9)
+            << sample.time << ": " << sample.requested.transpose() << " at " << sample.tool.transpose();
     }
 }
 
@@ -311,7 +311,7 @@ TEST_P(HeldContactTest, AHoleThatIsLargeEnoughLetsTheProbeThrough)
     mesh.add_to(world_.space);
     const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.05}, 0.1, 0.8, t); }, 1);
     for (const Sample &sample : samples)
-        ASSERT_TRUE(sample.wished.isZero(0)) << sample.time;
+        ASSERT_TRUE(sample.requested.isZero(0)) << sample.time;
 }
 
 TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
@@ -324,10 +324,10 @@ TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
         [&](double t) { return between(middle + Vector3(0, 0, 0.03), middle - Vector3(0, 0, 0.02), 0.1, 0.8, t); }, 1);
     if (proxy_law())
     {
-        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * (resting + 0.02))).norm(), 0.01 * k * (resting + 0.02))
-            << samples.back().wished.transpose();
+        EXPECT_LE((samples.back().requested - Vector3(0, 0, k * (resting + 0.02))).norm(), 0.01 * k * (resting + 0.02))
+            << samples.back().requested.transpose();
     }
-    EXPECT_GT(samples.back().wished.z(), 0.9 * k * (resting + 0.02)) << "it never falls through";
+    EXPECT_GT(samples.back().requested.z(), 0.9 * k * (resting + 0.02)) << "it never falls through";
 }
 
 /// A sheet of waves, and its triangles.
@@ -370,10 +370,10 @@ TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
                              [](const SurfaceFeature &a, const SurfaceFeature &b) { return a.distance < b.distance; });
         ASSERT_NE(nearest, features.end());
         const Vector3 truth = k * (radius - distance) * nearest->normal;
-        ASSERT_NEAR(sample.wished.norm(), truth.norm(), (decoupled() ? 0.02 : 0.01) * truth.norm()) << sample.time;
+        ASSERT_NEAR(sample.requested.norm(), truth.norm(), (decoupled() ? 0.02 : 0.01) * truth.norm()) << sample.time;
         // Two faces that form a valley of up to 4 degrees push together; the nearest of them is one.
-        ASSERT_LE((sample.wished - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())
-            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        ASSERT_LE((sample.requested - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())
+            << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
     }
 }
 
@@ -385,7 +385,7 @@ TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
     for (const Sample &sample : samples)
         if (sample.time > 0.45)
         {
-            ASSERT_GT(sample.wished.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.wished.transpose();
+            ASSERT_GT(sample.requested.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.requested.transpose();
         }
 }
 

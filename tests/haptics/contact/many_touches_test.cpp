@@ -60,7 +60,7 @@ TEST_P(ManyTouchesTest, UpToTheCapacityAllAreFelt)
     const std::vector<Sample> samples = press();
     EXPECT_EQ(notices_.count(NoticeKind::contact), 0);
     const double expected = proxy_law() ? -k * goal.z() : sum_of_springs();
-    EXPECT_NEAR(samples.back().wished.z(), expected, 0.001 * expected);
+    EXPECT_NEAR(samples.back().requested.z(), expected, 0.001 * expected);
 }
 
 TEST_P(ManyTouchesTest, MoreThanTheCapacityIsToldAndAllocatesNothing)
@@ -69,7 +69,7 @@ TEST_P(ManyTouchesTest, MoreThanTheCapacityIsToldAndAllocatesNothing)
     const std::vector<Sample> samples = press();
     EXPECT_EQ(notices_.count(NoticeKind::contact), 1);
     EXPECT_NE(notices_.text(NoticeKind::contact).find("256"), std::string::npos);
-    EXPECT_GT(samples.back().wished.z(), 0);
+    EXPECT_GT(samples.back().requested.z(), 0);
     for (const Sample &sample : samples)
         EXPECT_TRUE(!decoupled() || sample.time < 0.1 || sample.allocations == 0) << sample.time;
 }

@@ -71,12 +71,12 @@ TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
     Vector3 force = Vector3::Zero(), tool = Vector3::Zero();
     probe.set_recorder([&](const RenderedTick &tick) {
         const Vector3 &proxy = probe.sensor()->tracker()->proxy();
-        error = std::max(error, (tick.wished - k * (proxy - tick.tool.position)).norm());
+        error = std::max(error, (tick.requested - k * (proxy - tick.tool.position)).norm());
         inside = std::max(inside, size - tree_.distance(proxy, size));
         if (tick.time > 0)
-            jump = std::max(jump, (tick.wished - force).norm() - k * (tick.tool.position - tool).norm());
-        felt += tick.wished.norm() > 0.5 ? 1 : 0;
-        force = tick.wished;
+            jump = std::max(jump, (tick.requested - force).norm() - k * (tick.tool.position - tool).norm());
+        felt += tick.requested.norm() > 0.5 ? 1 : 0;
+        force = tick.requested;
         tool = tick.tool.position;
     });
     world_.run(probe, ticks);

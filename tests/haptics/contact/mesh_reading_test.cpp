@@ -107,7 +107,8 @@ TEST_P(UnpreparedMeshTest, IsFeltByOdeUntilItHasBeenReadAndHeldFromThenOn)
     EXPECT_LT(reading, 400);
     EXPECT_NEAR(felt, 0.005, 1e-6);
     EXPECT_EQ(notices.count(NoticeKind::contact), 1) << notices.text(NoticeKind::contact);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.03)).norm(), 1e-6) << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.03)).norm(), 1e-6)
+        << samples.back().requested.transpose();
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -130,10 +130,10 @@ protected:
                 truth.setZero();
             if (!is_corner())
                 truth.y() = 0;
-            EXPECT_LE((tick.wished - truth).norm(), 0.002 * truth.norm() + 1e-6)
-                << tick.time << ": " << tick.wished.transpose() << " and not " << truth.transpose();
-            EXPECT_LE((tick.wished - last).norm(), k * (tick.tool.position - tool).norm() + 0.1) << tick.time;
-            last = tick.wished;
+            EXPECT_LE((tick.requested - truth).norm(), 0.002 * truth.norm() + 1e-6)
+                << tick.time << ": " << tick.requested.transpose() << " and not " << truth.transpose();
+            EXPECT_LE((tick.requested - last).norm(), k * (tick.tool.position - tool).norm() + 0.1) << tick.time;
+            last = tick.requested;
             tool = tick.tool.position;
         });
         tool = press(depth)(0);

@@ -72,7 +72,7 @@ protected:
         const auto samples = run([](double) { return Vector3(0, 0, 0); }, rest + way / speed + rest,
                                  [&](double) { put(clock_.now() - begin - rest); });
         remove(geom);
-        return samples.back().wished;
+        return samples.back().requested;
     }
 
     void expect_full_force(Posed kind, double speed)
@@ -140,8 +140,8 @@ TEST_P(PosedGeomTest, WhatIsTurnedWithoutAVelocityPushesInFull)
             put(0);
             const auto samples = run([](double) { return Vector3(0, 0, 0); }, 0.1 - start / spin,
                                      [&](double) { put(clock_.now() - begin - 0.05); });
-            EXPECT_LE((samples.back().wished - Vector3(0, 0, k * pressed)).norm(), 0.01 * k * pressed)
-                << samples.back().wished.transpose() << " N; " << spin << " rad/s, phase " << phase;
+            EXPECT_LE((samples.back().requested - Vector3(0, 0, k * pressed)).norm(), 0.01 * k * pressed)
+                << samples.back().requested.transpose() << " N; " << spin << " rad/s, phase " << phase;
             dGeomDestroy(door);
         }
     }
@@ -181,8 +181,8 @@ TEST_P(PosedGeomTest, WhatIsPutIntoTheProbeStillAppears)
                                          dGeomSetPosition(geom, 0.01, 0.02, pressed - radius - side / 2);
                                      }
                                  });
-        EXPECT_GT(samples.back().wished.z(), 0.1 * k * pressed) << "kind " << static_cast<int>(kind);
-        EXPECT_LT(samples.back().wished.z(), 0.4 * k * pressed) << "kind " << static_cast<int>(kind);
+        EXPECT_GT(samples.back().requested.z(), 0.1 * k * pressed) << "kind " << static_cast<int>(kind);
+        EXPECT_LT(samples.back().requested.z(), 0.4 * k * pressed) << "kind " << static_cast<int>(kind);
         remove(geom);
     }
 }

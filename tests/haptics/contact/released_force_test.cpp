@@ -34,12 +34,12 @@ protected:
         Vector3 tool = Vector3::Zero();
         probe.set_recorder([&](const RenderedTick &tick) {
             const Vector3 &proxy = probe.sensor()->tracker()->proxy();
-            errors.spring = std::max(errors.spring, (tick.wished - k * (proxy - tick.tool.position)).norm());
-            errors.most = std::max(errors.most, tick.wished.norm());
+            errors.spring = std::max(errors.spring, (tick.requested - k * (proxy - tick.tool.position)).norm());
+            errors.most = std::max(errors.most, tick.requested.norm());
             if (tick.time > 0)
-                errors.jump =
-                    std::max(errors.jump, (tick.wished - errors.last).norm() - k * (tick.tool.position - tool).norm());
-            errors.last = tick.wished;
+                errors.jump = std::max(errors.jump,
+                                       (tick.requested - errors.last).norm() - k * (tick.tool.position - tool).norm());
+            errors.last = tick.requested;
             tool = tick.tool.position;
         });
         world_.run(probe, ticks);

@@ -20,8 +20,8 @@ void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, d
     for (const auto &sample : samples)
     {
         const Vector3 truth = k * (proxy.follow(sample.tool) - sample.tool);
-        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
-            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        ASSERT_LE((sample.requested - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
         felt += truth.norm() > 0.5 ? 1 : 0;
     }
     EXPECT_GT(felt, least_felt);

@@ -86,7 +86,7 @@ inline ScrubbingResult scrub(dSpaceID space, double size, int ticks)
         probe.render(0.001);
         result.seconds.push_back(processor_time() - begin);
         result.most_triangles = std::max(result.most_triangles, probe.sensor()->tracker()->visited());
-        result.felt += probe.last_tick().wished.norm() > 0.5 ? 1 : 0;
+        result.felt += probe.last_tick().requested.norm() > 0.5 ? 1 : 0;
     }
     std::sort(result.seconds.begin(), result.seconds.end());
     return result;

@@ -73,7 +73,7 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
         if (since < 2e-6)
             continue; // at the same time as a step
         const bool is_upper = static_cast<int>(sample.time / step) % 4 < 2;
-        ASSERT_NEAR(sample.wished.z(), is_upper ? k * pressed : 0, 1e-9) << sample.time;
+        ASSERT_NEAR(sample.requested.z(), is_upper ? k * pressed : 0, 1e-9) << sample.time;
         touching += is_upper ? 1 : 0;
     }
     EXPECT_GT(touching, 0.4 * servo_rate);
@@ -88,7 +88,7 @@ TEST_P(ServoContactTest, ADeviceThatComesBackElsewhereHasCrossedNothing)
     const auto samples =
         run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.015) : Vector3(0.01, 0.02, -0.015); }, 1.5);
     for (const Sample &sample : samples)
-        ASSERT_TRUE(sample.wished.isZero(0)) << sample.time << ": " << sample.wished.transpose();
+        ASSERT_TRUE(sample.requested.isZero(0)) << sample.time << ": " << sample.requested.transpose();
 }
 
 TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
@@ -103,7 +103,7 @@ TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
         const Vector3 nearest(std::min(0.0, sample.tool.x()), 0, 0);
         const double distance = (sample.tool - nearest).norm();
         const Vector3 truth = k * std::max(0.0, radius - distance) * (sample.tool - nearest) / distance;
-        ASSERT_LE((sample.wished - truth).norm(), 1e-6) << sample.time << ": " << sample.wished.transpose();
+        ASSERT_LE((sample.requested - truth).norm(), 1e-6) << sample.time << ": " << sample.requested.transpose();
     }
 }
 
@@ -123,8 +123,8 @@ TEST_P(ServoContactTest, APlateThatTurnsIsFeltWhereItIs)
         const Vector3 normal(-std::sin(angle), 0, std::cos(angle));
         const double depth = radius - (normal.dot(place) - 0.0005);
         const Vector3 truth = k * std::max(0.0, depth) * normal;
-        ASSERT_LE((sample.wished - truth).norm(), 0.01 * truth.norm() + 1e-6)
-            << sample.time << ": " << sample.wished.transpose() << " and not " << truth.transpose();
+        ASSERT_LE((sample.requested - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
         compared += depth > radius ? 1 : 0;
     }
     EXPECT_GT(compared, 0.1 * servo_rate);

@@ -175,11 +175,10 @@ const Scene scenes[] = {
 /// A tick, as it was felt.
 struct Felt
 {
-    Vector3 wished; ///< N; what the law gave
-    Vector3 given;  ///< N; what the device got
-    Vector3 proxy;  ///< m; of the proxy's law alone
-    std::vector<std::tuple<unsigned, double, double, double>>
-        touches; ///< number, depth, x, z of the normal; one thread
+    Vector3 requested;                                       ///< N; what the law gave
+    Vector3 given;                                           ///< N; what the device got
+    Vector3 proxy;                                           ///< m; of the proxy's law alone
+    std::vector<std::tuple<double, double, double>> touches; ///< number, depth, x, z of the normal; one thread
 };
 
 struct Outcome
@@ -201,7 +200,7 @@ protected:
     {
         Things things(measure);
         scene.build(things);
-        SurfaceProperties properties;
+        Material properties;
         properties.stiffness = stiffness_;
         const auto proxy = std::make_shared<ProxyLaw>(properties);
         RenderSettings rendering;
@@ -221,11 +220,11 @@ protected:
 
     void note(const RenderedTick &tick, HapticProbe &probe, const Vector3 &proxy, Outcome &outcome) const
     {
-        Felt felt{tick.wished, tick.wrench.force, proxy, {}};
+        Felt felt{tick.requested, tick.wrench.force, proxy, {}};
         if (!decoupled())
             for (const Touch &touch : probe.touches())
-                felt.touches.emplace_back(touch.feature, touch.depth, touch.normal.x(), touch.normal.z());
-        outcome.touching += felt.wished.isZero(0) ? 0 : 1;
+                felt.touches.emplace_back(touch.depth, touch.normal.x(), touch.normal.z());
+        outcome.touching += felt.requested.isZero(0) ? 0 : 1;
         outcome.ticks.push_back(std::move(felt));
     }
 
@@ -268,7 +267,7 @@ protected:
         ASSERT_EQ(ticks.size(), others.size());
         for (std::size_t i = 0; i < ticks.size(); ++i)
         {
-            ASSERT_EQ(ticks[i].wished, others[i].wished) << "tick " << i;
+            ASSERT_EQ(ticks[i].requested, others[i].requested) << "tick " << i;
             ASSERT_EQ(ticks[i].given, others[i].given) << "tick " << i;
             ASSERT_EQ(ticks[i].proxy, others[i].proxy) << "tick " << i;
             ASSERT_EQ(ticks[i].touches, others[i].touches) << "tick " << i;

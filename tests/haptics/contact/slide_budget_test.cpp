@@ -42,7 +42,7 @@ TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
     int felt = 0;
     probe.set_recorder([&](const RenderedTick &tick) {
         most = std::max(most, probe.sensor()->tracker()->visited());
-        felt += tick.wished.norm() > 0.5 ? 1 : 0;
+        felt += tick.requested.norm() > 0.5 ? 1 : 0;
     });
     constexpr int ticks = of_cases(16000);
     world_.run(probe, ticks);
@@ -88,7 +88,7 @@ TEST_P(SlideBudgetTest, LetsTheProxyArriveOnADenseMesh)
     for (int part = 0; part < 2; ++part)
     {
         world_.run(probe, 1000);
-        EXPECT_LE((probe.last_tick().wished - Vector3(0, 0, 0.5 * size * k)).norm(), 1e-6) << part;
+        EXPECT_LE((probe.last_tick().requested - Vector3(0, 0, 0.5 * size * k)).norm(), 1e-6) << part;
     }
     EXPECT_GT(most, SphereSlide::most_triangles / 8);
     EXPECT_LE(most, SphereSlide::most_triangles);

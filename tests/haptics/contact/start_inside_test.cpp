@@ -50,8 +50,8 @@ protected:
         {
             if (sample.time >= from && sample.time < to)
             {
-                ASSERT_TRUE(sample.wished.isZero(0))
-                    << sample.time << " at " << sample.tool.transpose() << ": " << sample.wished.transpose();
+                ASSERT_TRUE(sample.requested.isZero(0))
+                    << sample.time << " at " << sample.tool.transpose() << ": " << sample.requested.transpose();
             }
         }
     }
@@ -60,8 +60,8 @@ protected:
     {
         const Samples samples = run(out_and_back(start), 2.2);
         expect_nothing(samples, 0, 1.5);
-        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
-            << samples.back().wished.transpose();
+        EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+            << samples.back().requested.transpose();
     }
 
     /// Calls something once, at a time.
@@ -182,7 +182,8 @@ TEST_P(StartInsideTest, AllElseIsFelt)
     world_.add_box({1, 1, 0.1}, {0, 0, -0.05}); // half of the mesh is in it
     const Vector3 start(0, 0, 0.03), end(0, 0, radius - 0.002);
     const Samples samples = run([&](double t) { return between(start, end, 0.2, 0.3, t); }, 0.7);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 1e-6)
+        << samples.back().requested.transpose();
 }
 
 TEST_P(StartInsideTest, WhatMovesOntoTheProbeLaterPushes)
@@ -192,8 +193,8 @@ TEST_P(StartInsideTest, WhatMovesOntoTheProbeLaterPushes)
     // At 0.6 s, 2 mm of it are in the probe, which is in the mesh.
     add_kinematic_box({0.1, 0.1, 0.1}, {0.05 + radius - 0.002 + 0.12, 0, 0}, {-0.2, 0, 0});
     const Samples samples = run([](double) { return Vector3(0, 0, 0); }, 0.601);
-    EXPECT_LE((samples.back().wished - Vector3(-k * 0.002, 0, 0)).norm(), 0.1 * k * 0.002)
-        << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(-k * 0.002, 0, 0)).norm(), 0.1 * k * 0.002)
+        << samples.back().requested.transpose();
 }
 
 TEST_P(StartInsideTest, WhatMovesAwayAndBackPushes)
@@ -203,8 +204,8 @@ TEST_P(StartInsideTest, WhatMovesAwayAndBackPushes)
         run([](double) { return Vector3(0, 0, 0); }, 0.8, once(0.4, [&] { dBodySetLinearVel(box, 0, 0, 0.3); }));
     expect_nothing(samples, 0, 0.6);
     const double depth = radius + 0.05 + dBodyGetPosition(box)[2];
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * depth)).norm(), 0.1 * k * depth)
-        << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * depth)).norm(), 0.1 * k * depth)
+        << samples.back().requested.transpose();
 }
 
 // At 50 m/s and 1 kHz its front goes from 20 mm before the probe to 30 mm behind it.
@@ -212,7 +213,7 @@ TEST_P(StartInsideTest, WhatIsFasterThanTheProbeIsWidePushes)
 {
     add_kinematic_box({0.4, 0.4, 0.4}, {0.2 + 0.03 + 0.5, 0, 0}, {-50, 0, 0});
     const Samples samples = run([](double) { return Vector3(0, 0, 0); }, 0.0125);
-    EXPECT_LT(samples.back().wished.x(), -1);
+    EXPECT_LT(samples.back().requested.x(), -1);
 }
 
 TEST_P(StartInsideTest, AJumpIntoSomethingIsAStart)
@@ -226,8 +227,8 @@ TEST_P(StartInsideTest, AJumpIntoSomethingIsAStart)
     const Samples samples =
         run([&](double t) { return t < 0.3 ? Vector3(0.2, 0, 0.05) : path(std::max(0.3, t - 0.6)); }, 2.8);
     expect_nothing(samples, 0, 2.1);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
-        << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+        << samples.back().requested.transpose();
 }
 
 TEST_P(StartInsideTest, AMeshOrASolidThatIsMadeAroundTheProbeIsAStart)
@@ -241,8 +242,8 @@ TEST_P(StartInsideTest, AMeshOrASolidThatIsMadeAroundTheProbeIsAStart)
                                         dGeomSetPosition(geom, 0, 0, -0.1);
                                     }));
         expect_nothing(samples, 0, 1.5);
-        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
-            << samples.back().wished.transpose();
+        EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+            << samples.back().requested.transpose();
         dGeomDestroy(geom);
     }
 }
@@ -261,8 +262,8 @@ TEST_P(StartInsideTest, AMeshOrASolidThatIsPutOntoTheProbeIsAStart)
             },
             2.2, once(0.2, [&] { dGeomSetPosition(geom, 0, 0, -0.1); }));
         expect_nothing(samples, 0.25, 1.5);
-        EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
-            << samples.back().wished.transpose();
+        EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+            << samples.back().requested.transpose();
         dGeomDestroy(geom);
     }
 }
@@ -276,8 +277,8 @@ TEST_P(StartInsideTest, AProbeThatIsEnabledInsideIsAStart)
     const Samples samples = run([&](double t) { return t < 0.3 ? between(far_away, path(0), 0, 0.15, t) : path(t); },
                                 2.2, once(0.2, [&] { dGeomEnable(probe_->geom()); }));
     expect_nothing(samples, 0, 1.5);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
-        << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 0.02 * k * 0.002)
+        << samples.back().requested.transpose();
 }
 
 TEST_P(StartInsideTest, ARoomHoldsFromWithin)
@@ -285,7 +286,8 @@ TEST_P(StartInsideTest, ARoomHoldsFromWithin)
     const OdeMesh room(turned(box_mesh({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})));
     room.add_to(world_.space);
     const Samples samples = run([](double t) { return between({0, 0, 0}, {0, 0, -0.092}, 0.1, 0.3, t); }, 0.6);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 1e-6)
+        << samples.back().requested.transpose();
 }
 
 /// Of one layer of triangles that face outwards: nothing of it is near in its middle.
@@ -296,7 +298,8 @@ TEST_P(StartInsideTest, AVesselThatIsEnteredThroughItsMouthHoldsFromWithin)
     const OdeMesh vessel(shape);
     vessel.add_to(world_.space);
     const Samples samples = run([](double t) { return between({0, 0, 0.2}, {0, 0, -0.092}, 0.1, 0.3, t); }, 0.6);
-    EXPECT_LE((samples.back().wished - Vector3(0, 0, k * 0.002)).norm(), 1e-6) << samples.back().wished.transpose();
+    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.002)).norm(), 1e-6)
+        << samples.back().requested.transpose();
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

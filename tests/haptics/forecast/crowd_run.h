@@ -261,15 +261,15 @@ private:
             const double work = last_force_.dot(place - last_place_);
             given_ += work;
             outcome_.exchanged += std::abs(work);
-            changes_.push_back({(tick.wished - last_requested_).norm(), (tick.tool.position - last_tool_).norm()});
+            changes_.push_back({(tick.requested - last_requested_).norm(), (tick.tool.position - last_tool_).norm()});
             if (scenario_.physics_rate == 0)
                 explain_changes(speed_);
         }
-        outcome_.peak_force = std::max(outcome_.peak_force, tick.wished.norm());
+        outcome_.peak_force = std::max(outcome_.peak_force, tick.requested.norm());
         outcome_.impulse += tick.force.norm() * tick_length;
         pushed_ = pushed_ || !tick.force.isZero(0);
         has_tick_ = true;
-        last_requested_ = tick.wished;
+        last_requested_ = tick.requested;
         last_force_ = tick.force;
         last_place_ = place;
         last_tool_ = tick.tool.position;

@@ -19,7 +19,7 @@ constexpr double side = 0.06; // m; of the bodies
 
 std::shared_ptr<ForceLaw> make_law(bool proxy, double stiffness)
 {
-    SurfaceProperties properties;
+    Material properties;
     properties.stiffness = stiffness;
     if (proxy)
         return std::make_shared<ProxyLaw>(properties);

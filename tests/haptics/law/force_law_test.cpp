@@ -19,7 +19,7 @@ namespace
 class SurfaceLaw : public testing::TestWithParam<const char *>
 {
 protected:
-    std::unique_ptr<ForceLaw> make(const SurfaceProperties &properties)
+    std::unique_ptr<ForceLaw> make(const Material &properties)
     {
         if (GetParam() == std::string("penalty"))
             return std::make_unique<Felt<PenaltyLaw>>(properties);

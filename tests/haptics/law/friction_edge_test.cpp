@@ -42,13 +42,13 @@ protected:
         int sliding = 0;
         for (const Sample &sample : samples)
         {
-            if (sample.wished.isZero(0))
+            if (sample.requested.isZero(0))
                 continue;
             const Vector3 n = normal(proxy_law() ? sample.proxy : sample.tool);
-            const double pressing = sample.wished.dot(n);
-            const double along = (sample.wished - pressing * n).norm();
+            const double pressing = sample.requested.dot(n);
+            const double along = (sample.requested - pressing * n).norm();
             ASSERT_GT(pressing, 0) << sample.time;
-            ASSERT_LE(along, 1.001 * mu * pressing + 1e-6) << sample.time << ": " << sample.wished.transpose();
+            ASSERT_LE(along, 1.001 * mu * pressing + 1e-6) << sample.time << ": " << sample.requested.transpose();
             sliding += along > 0.9 * mu * pressing ? 1 : 0;
         }
         EXPECT_GT(sliding, static_cast<int>(samples.size()) / 4);
@@ -61,7 +61,7 @@ protected:
         for (std::size_t i = 1; i < samples.size(); ++i)
             if (samples[i].time > 0.45)
             {
-                ASSERT_LE((samples[i].wished - samples[i - 1].wished).norm(), 2 * spring) << samples[i].time;
+                ASSERT_LE((samples[i].requested - samples[i - 1].requested).norm(), 2 * spring) << samples[i].time;
             }
     }
 };

@@ -51,7 +51,7 @@ protected:
         double most = 0, pressed = 0;
         Vector3 last = Vector3::Zero();
         probe.set_recorder([&](const RenderedTick &tick) {
-            const Vector3 along = tick.wished - normal.dot(tick.wished) * normal;
+            const Vector3 along = tick.requested - normal.dot(tick.requested) * normal;
             if (tick.time > 1.5)
             {
                 most = std::max(most, (along - last).norm());

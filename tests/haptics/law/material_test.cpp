@@ -99,7 +99,7 @@ protected:
         double largest = 0;
         for (std::size_t i = 1; i < ticks.size(); ++i)
             if (ticks[i].time > 1.5)
-                largest = std::max(largest, (ticks[i].wished - ticks[i - 1].wished).norm());
+                largest = std::max(largest, (ticks[i].requested - ticks[i - 1].requested).norm());
         return largest;
     }
 
@@ -149,7 +149,7 @@ TEST_P(MaterialTest, StaticFrictionHoldsLongerAndSlidingIsFelt)
     const std::vector<RenderedTick> ticks = slide(left, left + 0.02, 0.05);
     double most = 0;
     for (const RenderedTick &tick : ticks)
-        most = std::max(most, -tick.wished.x() / std::max(0.1, tick.wished.z()));
+        most = std::max(most, -tick.requested.x() / std::max(0.1, tick.requested.z()));
     EXPECT_NEAR(most, 0.6, 0.02);
     const auto sliding =
         std::find_if(ticks.begin(), ticks.end(), [](const RenderedTick &tick) { return tick.time > 1.85; });

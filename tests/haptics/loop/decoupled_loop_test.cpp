@@ -246,7 +246,7 @@ TEST_F(DecoupledLoopTest, TheServoFeelsAPlaneExactlyWhileTheSceneIsSlow)
         if (tick.time > 1.1 && tick.allowance == 1)
         {
             const double depth = std::max(0.0, radius - tick.state.position.z());
-            ASSERT_NEAR(tick.wished.z(), 500 * depth, 1e-9) << tick.time;
+            ASSERT_NEAR(tick.requested.z(), 500 * depth, 1e-9) << tick.time;
             ++compared;
         }
     });

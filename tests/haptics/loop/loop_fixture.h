@@ -115,7 +115,7 @@ public:
     std::function<void()> at_reset; ///< may be empty
 
 private:
-    PenaltyLaw law_{SurfaceProperties{spring, 0, 0}};
+    PenaltyLaw law_{Material{spring, 0, 0}};
     std::function<void()> trouble_;
 };
 } // namespace ode_predictive_space::haptics

@@ -117,7 +117,7 @@ TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
         double felt = 0;
         const LoopReport report = loop.run({[&] { world.collide(probe); },
                                             [&](double dt) {
-                                                felt = std::max(felt, loop.latest().wished.norm());
+                                                felt = std::max(felt, loop.latest().requested.norm());
                                                 world.step(dt);
                                                 if (felt > 0 && looks > 10 && loop.report().ticks > 100)
                                                     loop.stop();
@@ -200,7 +200,7 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
     loop.run({[&] { world_.collide(probe); },
               [&](double dt) {
                   world_.step(dt);
-                  felt += loop.latest().wished.norm() > 0.5 ? 1 : 0;
+                  felt += loop.latest().requested.norm() > 0.5 ? 1 : 0;
                   switch (++steps % 20)
                   {
                   case 5:

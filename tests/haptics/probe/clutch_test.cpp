@@ -1,6 +1,7 @@
 // A hand that reaches farther than its device, with the clutch, in a scene with walls.
 
 #include "ode_predictive_space/haptics/probe.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
 
 #include "tests/haptics/support/probe_fixture.h"
 
@@ -135,11 +136,12 @@ TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
     ScriptedDevice device([](double seconds) -> Vector3 {
         return {0.0005, 0, 0.005 - depth + 0.01 * (1 - smooth(seconds))};
     });
-    RenderSettings settings = with_stiffness(500);
+    RenderSettings settings;
+    settings.law = std::make_shared<ProxyLaw>(Material{500});
     settings.clutch_button = 0;
     HapticProbe probe(device, world.space, 0.005, settings);
     world.run(probe, 1500);
-    EXPECT_NEAR(probe.last_tick().wished.z(), 500 * depth, 0.01);
+    EXPECT_NEAR(probe.last_tick().requested.z(), 500 * depth, 0.01);
     device.buttons = 1;
     world.run(probe, 100);
     device.buttons = 0;
@@ -147,9 +149,9 @@ TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
     for (int tick = 0; tick < 800; ++tick)
     {
         world.run(probe, 1);
-        const double wished = probe.last_tick().wished.z();
-        ASSERT_NEAR(wished, before, 500 * depth * 0.001 / 0.5 + 1e-9) << tick;
-        before = wished;
+        const double requested = probe.last_tick().requested.z();
+        ASSERT_NEAR(requested, before, 500 * depth * 0.001 / 0.5 + 1e-9) << tick;
+        before = requested;
     }
     EXPECT_NEAR(before, 500 * depth, 0.01);
 }

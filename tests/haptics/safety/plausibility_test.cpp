@@ -106,7 +106,7 @@ TEST_F(PlausibilityTest, DampingWorksWithADeviceThatTellsNoVelocity)
     HapticProbe probe(device, world_.space, radius, settings);
     world_.run(probe, 1301);
     const double depth = radius - probe.tool().position.z();
-    EXPECT_NEAR(probe.last_tick().wished.z(), stiffness * depth + damping * speed, 0.01 * damping * speed);
+    EXPECT_NEAR(probe.last_tick().requested.z(), stiffness * depth + damping * speed, 0.01 * damping * speed);
 }
 
 /// Leans 2 mm into the plane from 1.5 s on.
@@ -221,7 +221,7 @@ TEST_F(PlausibilityTest, WhatIsReachedBySlidingOrMovingDoesNotAppear)
     HapticProbe probe(device, world_.space, radius, settings);
     probe.set_recorder([&](const RenderedTick &tick) {
         const double depth = 0.05 + radius - tick.tool.position.z();
-        ASSERT_NEAR(tick.wished.z(), stiffness * std::max(0.0, depth), 1e-6) << tick.time;
+        ASSERT_NEAR(tick.requested.z(), stiffness * std::max(0.0, depth), 1e-6) << tick.time;
     });
     world_.run(probe, 1500);
 }

@@ -124,7 +124,6 @@ TEST(SafetyStage, TakesNonsenseForNothingAndComesBackSlowly)
                 EXPECT_TRUE(loop.stage.report().did(SafetyAction::not_finite));
                 EXPECT_EQ(loop.stage.report().began(SafetyAction::not_finite), i == 0);
             }
-            EXPECT_EQ(loop.stage.report().count(SafetyAction::not_finite), 5u);
 
             loop.time = time;
             double last = 0;
@@ -208,7 +207,6 @@ TEST(SafetyStage, WaitsUntilTheForceWasSmallOnce)
     loop.stage.reset();
     EXPECT_EQ(loop.tick(wrench_of(5)).force.y(), 0);
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::waiting));
-    EXPECT_EQ(loop.stage.report().count(SafetyAction::waiting), 1003u);
 }
 
 TEST(SafetyStage, ADeviceThatCannotPushGetsNothing)
@@ -221,7 +219,6 @@ TEST(SafetyStage, ADeviceThatCannotPushGetsNothing)
     for (int i = 0; i < 1000; ++i)
         EXPECT_EQ(loop.tick(wrench_of(3, 1)).force.norm(), 0);
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::no_axes));
-    EXPECT_EQ(loop.stage.report().count(SafetyAction::no_axes), 1000u);
 }
 
 TEST(SafetyStage, ADeviceWithoutTorqueGetsNoneAndThatIsNoEvent)
@@ -268,13 +265,6 @@ TEST(SafetyStage, OfAllThatItDoesItTellsWhy)
         sentences.insert(explanation_of(static_cast<SafetyAction>(action)));
     EXPECT_EQ(sentences.size(), static_cast<std::size_t>(safety_action_count));
     EXPECT_EQ(sentences.count("unknown"), 0u);
-
-    Loop loop(test_limits());
-    EXPECT_EQ(loop.stage.report().summary(), "");
-    loop.tick(wrench_of(nan));
-    loop.tick(wrench_of(nan));
-    EXPECT_EQ(loop.stage.report().summary(),
-              std::string("2 times: ") + explanation_of(SafetyAction::not_finite) + "\n");
 }
 
 } // namespace

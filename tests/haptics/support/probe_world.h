@@ -56,7 +56,7 @@ public:
 
 inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
 {
-    SurfaceProperties properties;
+    Material properties;
     properties.stiffness = stiffness;
     RenderSettings settings;
     settings.law = std::make_shared<PenaltyLaw>(properties);
