@@ -104,7 +104,7 @@ typedef struct dPredictiveSpaceStats
     unsigned long scheduled;     /**< pairs now in the near set that are not tested: at rest until one of their geoms
                                       moves, or postponed (see dPredictiveSpaceCounters) */
     unsigned long woken;         /**< pairs that were at rest and are tested again */
-    unsigned long near;          /**< pairs now in the near set: their envelopes overlap */
+    unsigned long near_pairs;    /**< pairs now in the near set: their envelopes overlap */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
     unsigned long scans;         /**< ticks in which all envelopes were swept: more than a third of them were new */
     unsigned long bytes;         /**< memory that the space now holds, in bytes, without the geoms */

@@ -242,7 +242,7 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     stats->repredictions = counters.repredictions;
     stats->scheduled = self->broadphase().waiting_pairs();
     stats->woken = self->broadphase().woken_pairs();
-    stats->near = self->broadphase().near_pairs();
+    stats->near_pairs = self->broadphase().near_pairs();
     stats->reported = self->reported();
     stats->scans = counters.sweeps;
     stats->bytes = self->bytes();
