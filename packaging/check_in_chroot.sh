@@ -25,8 +25,8 @@ list_dependencies() {
     printf 'Source: program\n\nPackage: program\nArchitecture: any\n' >"$chroot/tmp/program/debian/control"
     inside sh -c 'cd /tmp/program && dpkg-shlibdeps -O -e/tmp/consumer/consumer_c -e/tmp/consumer/consumer_haptics' |
         tee "$chroot/tmp/depends"
-    grep -q 'libode-predictive-space0 (>= 0\.1\.0)' "$chroot/tmp/depends"
-    grep -q 'libode-predictive-space-haptics0 (>= 0\.1\.0)' "$chroot/tmp/depends"
+    grep -q 'libode-predictive-space0.1 (>= 0\.1\.0)' "$chroot/tmp/depends"
+    grep -q 'libode-predictive-space-haptics0.1 (>= 0\.1\.0)' "$chroot/tmp/depends"
 }
 
 # The copyright of each package names the licence that is in the sources.

@@ -67,6 +67,8 @@ dSpaceID dPredictiveSpaceCreate(dSpaceID parent)
     return new dxPredictiveSpace(parent);
 }
 
+int dPredictiveSpaceGetVersion(void) { return ODE_PREDICTIVE_SPACE_VERSION; }
+
 int dSpaceIsPredictive(dSpaceID space)
 {
     return space && dGeomIsSpace(space) && dynamic_cast<dxPredictiveSpace *>(space) != nullptr;

@@ -43,6 +43,11 @@ protected:
     dSpaceID space = scene.space();
 };
 
+TEST(Version, IsThatOfTheHeader)
+{
+    EXPECT_EQ(dPredictiveSpaceGetVersion(), ODE_PREDICTIVE_SPACE_VERSION);
+}
+
 TEST_F(PredictiveSpace, MeasuresByBoxesUnlessToldOtherwise)
 {
     EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximityBox);
