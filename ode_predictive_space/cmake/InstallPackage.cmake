@@ -1,5 +1,5 @@
 # What `cmake --install` puts into the prefix: headers, libraries, CMake package, pkg-config files. All of it can be moved.
-# The components are the packages of packaging/CMakeLists.txt.
+# The components divide it as packaging/debian divides it into packages.
 
 include(CMakePackageConfigHelpers)
 
