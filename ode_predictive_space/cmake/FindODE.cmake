@@ -23,7 +23,8 @@ find_path(
     HINTS ${PC_ODE_INCLUDEDIR} ${PC_ODE_INCLUDE_DIRS})
 find_library(
     ODE_LIBRARY
-    NAMES ${PC_ODE_LIBRARIES} ode ode_double ode-double NAMES_PER_DIR
+    # The last two are those of a static ODE for Windows.
+    NAMES ${PC_ODE_LIBRARIES} ode ode_double ode-double ode_doubles ode_singles NAMES_PER_DIR
     HINTS ${PC_ODE_LIBDIR} ${PC_ODE_LIBRARY_DIRS})
 mark_as_advanced(ODE_INCLUDE_DIR ODE_LIBRARY)
 

@@ -78,7 +78,7 @@ endfunction()
 # docs/reliability.md says what it costs, and a test looks at the libraries. Switch it off where a package brings its own flags.
 option(ODE_PREDICTIVE_SPACE_HARDENING "Harden the libraries of a release build" ON)
 function(ode_predictive_space_harden)
-    if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS)
+    if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS OR NOT UNIX)
         return()
     endif()
     foreach(target ${ARGN})
