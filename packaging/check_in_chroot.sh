@@ -42,7 +42,11 @@ check_licences() {
 # The tests that the source package has for installed packages (autopkgtest).
 test_installed() {
     say 'Programs, built with the packages by CMake and by pkg-config, and the launcher'
+    mount --bind /proc "$chroot/proc" # the tool finds its libraries from its own path
+    trap 'umount "$chroot/proc"' EXIT
     inside sh -c 'mkdir /tmp/programs && cd /tmp/sources && AUTOPKGTEST_TMP=/tmp/programs packaging/debian/tests/programs'
+    umount "$chroot/proc"
+    trap - EXIT
 }
 
 lintian --fail-on error,warning "$packages"/*.changes
