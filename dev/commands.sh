@@ -20,6 +20,11 @@ dev_command() {
         find_ode_source
         exec tests/patched_ode/check "${@:2}" "$ode_source" build/patched-ode
         ;;
+    mingw)
+        need library mingw
+        find_ode_source
+        exec tests/mingw/check "$ode_source" build/mingw
+        ;;
     variants)
         # shellcheck source=tests/variants/variants.sh
         . tests/variants/variants.sh

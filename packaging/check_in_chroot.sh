@@ -23,10 +23,11 @@ list_dependencies() {
     say 'What a package with the programs would depend on'
     mkdir -p "$chroot/tmp/program/debian"
     printf 'Source: program\n\nPackage: program\nArchitecture: any\n' >"$chroot/tmp/program/debian/control"
-    inside sh -c 'cd /tmp/program && dpkg-shlibdeps -O -e/tmp/consumer/consumer_c -e/tmp/consumer/consumer_haptics' |
+    inside sh -c 'cd /tmp/program && dpkg-shlibdeps -O -e/tmp/programs/consumer/consumer_c \
+        -e/tmp/programs/consumer/consumer_haptics' |
         tee "$chroot/tmp/depends"
-    grep -q 'libode-predictive-space0 (>= 0\.1\.0)' "$chroot/tmp/depends"
-    grep -q 'libode-predictive-space-haptics0 (>= 0\.1\.0)' "$chroot/tmp/depends"
+    grep -q 'libode-predictive-space0.1 (>= 0\.1\.0)' "$chroot/tmp/depends"
+    grep -q 'libode-predictive-space-haptics0.1 (>= 0\.1\.0)' "$chroot/tmp/depends"
 }
 
 # The copyright of each package names the licence that is in the sources.
@@ -38,17 +39,14 @@ check_licences() {
     done
 }
 
-build_programs() {
-    say 'Programs, built with the packages by CMake and by pkg-config'
-    build_consumers consumer
-    inside sh -c 'c++ -std=c++17 -O2 /tmp/sources/demos/beside_ode.cpp -o /tmp/beside_ode $(pkg-config --cflags --libs \
-        ode_predictive_space)'
-}
-
-run_launcher() {
-    say 'The launcher'
-    inside ode-predictive run --stats /tmp/beside_ode >"$chroot/tmp/launcher" 2>&1
-    grep 'hash, predictive by boxes' "$chroot/tmp/launcher"
+# The tests that the source package has for installed packages (autopkgtest).
+test_installed() {
+    say 'Programs, built with the packages by CMake and by pkg-config, and the launcher'
+    mount --bind /proc "$chroot/proc" # the tool finds its libraries from its own path
+    trap 'umount "$chroot/proc"' EXIT
+    inside sh -c 'mkdir /tmp/programs && cd /tmp/sources && AUTOPKGTEST_TMP=/tmp/programs packaging/debian/tests/programs'
+    umount "$chroot/proc"
+    trap - EXIT
 }
 
 lintian --fail-on error,warning "$packages"/*.changes
@@ -63,9 +61,8 @@ say 'Installing'
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/packages/*.deb' >/dev/null
 list_files | comm -13 "$3/before" - >"$3/installed"
 check_licences
-build_programs
+test_installed
 list_dependencies
-run_launcher
 say 'Removing'
 inside sh -c "apt-get -q purge --yes --auto-remove '^libode-predictive-space.*'" >/dev/null
 list_files | diff "$3/before" -

@@ -45,11 +45,11 @@ make_chroot() {
     inside apt-get -q update >/dev/null
 }
 
-# The files that git tracks in the folder $1, into /tmp/sources.
-copy_sources() {
-    mkdir -p "$chroot/tmp/sources"
-    git -C "$1" ls-files -z | tar -C "$1" --null --files-from=- --create | tar -C "$chroot/tmp/sources" --extract
-}
+# shellcheck source=source_files.sh
+. "$(dirname "${BASH_SOURCE[0]}")/source_files.sh"
+
+# The project's files in the folder $1, into /tmp/sources.
+copy_sources() { copy_source_files "$1" "$chroot/tmp/sources"; }
 
 # build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: the libraries and the launcher, installed into a prefix
 # beside them. Warnings are errors, those of CMake, too, and many files are compiled as one for the sake of time.

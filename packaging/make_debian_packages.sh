@@ -1,27 +1,32 @@
 #!/usr/bin/env bash
-# Builds Debian's source and binary packages from the files that git tracks, with packaging/debian in the place where Debian
-# expects it. The version is that of CMakeLists.txt.
+# Builds Debian's source and binary packages from the project's files, with packaging/debian in the place where Debian
+# expects it. The version is that of CMakeLists.txt. DEBFULLNAME and DEBEMAIL name who answers for the packages.
 # Usage: make_debian_packages.sh <folder of the sources> <folder for the packages, which is emptied>
 
 set -euo pipefail
+# shellcheck source=source_files.sh
+. "$(dirname "${BASH_SOURCE[0]}")/source_files.sh"
 
 sources=$1 output=$2
 version=$(sed -nE 's/^ +VERSION ([0-9.]+)$/\1/p' "$sources/CMakeLists.txt")
 name=ode-predictive-space
+# Without an address, the packages are for trying out: mail to this one goes nowhere by definition.
+maintainer="${DEBFULLNAME:-ode_predictive_space developers} <${DEBEMAIL:-nobody@ode-predictive-space.invalid}>"
 
 rm -rf "$output"
-mkdir -p "$output/$name-$version"
+mkdir -p "$output"
 output=$(cd "$output" && pwd)
-git -C "$sources" ls-files -z | tar -C "$sources" --null --files-from=- --create | tar -C "$output/$name-$version" --extract
+copy_source_files "$sources" "$output/$name-$version"
 tar -C "$output" --exclude-vcs --create --gzip --file "$output/${name}_$version.orig.tar.gz" "$name-$version"
 cp -r "$output/$name-$version/packaging/debian" "$output/$name-$version/debian"
+sed -i "s/@MAINTAINER@/$maintainer/" "$output/$name-$version/debian/control"
 # A package of Debian itself, whose revisions begin with 1, would replace these.
 cat >"$output/$name-$version/debian/changelog" <<END
 $name ($version-0upstream1) unstable; urgency=medium
 
   * Packages of version $version, made by its developers.
 
- -- $(sed -n 's/^Maintainer: //p' "$sources/packaging/debian/control")  $(git -C "$sources" log -1 --format=%cD)
+ -- $maintainer  $(time_of_sources "$sources")
 END
 cd "$output/$name-$version"
 DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }noautodbgsym" dpkg-buildpackage --no-sign

@@ -11,7 +11,11 @@
 #include <ode/collision_space.h>
 #include <ode/common.h>
 
-#if defined(__GNUC__)
+/** The version of this header, 0.1.0: 10000 times the major version, 100 times the minor one, and the patch.
+    @see dPredictiveSpaceGetVersion */
+#define ODE_PREDICTIVE_SPACE_VERSION 100
+
+#if defined(__GNUC__) && !defined(_WIN32)
 #define ODE_PREDICTIVE_API __attribute__((visibility("default")))
 #else
 #define ODE_PREDICTIVE_API
@@ -104,7 +108,7 @@ typedef struct dPredictiveSpaceStats
     unsigned long scheduled;     /**< pairs now in the near set that are not tested: at rest until one of their geoms
                                       moves, or postponed (see dPredictiveSpaceCounters) */
     unsigned long woken;         /**< pairs that were at rest and are tested again */
-    unsigned long near;          /**< pairs now in the near set: their envelopes overlap */
+    unsigned long near_pairs;    /**< pairs now in the near set: their envelopes overlap */
     unsigned long reported;      /**< callbacks made by dSpaceCollide() */
     unsigned long scans;         /**< ticks in which all envelopes were swept: more than a third of them were new */
     unsigned long bytes;         /**< memory that the space now holds, in bytes, without the geoms */
@@ -132,6 +136,12 @@ typedef struct dPredictiveSpaceCounters
  *         copies of the library). An ODE with the space inside fails when it was built without it.
  */
 ODE_PREDICTIVE_API dSpaceID dPredictiveSpaceCreate(dSpaceID parent);
+
+/**
+ * Get the version of the library in this process, in the form of ODE_PREDICTIVE_SPACE_VERSION, which is that of the header with
+ * which a program was compiled.
+ */
+ODE_PREDICTIVE_API int dPredictiveSpaceGetVersion(void);
 
 /**
  * Test whether a space is predictive.

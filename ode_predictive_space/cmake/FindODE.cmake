@@ -1,12 +1,20 @@
 # Finds the Open Dynamics Engine that is installed, with or without a CMake package of its own.
 #
-# Defines the imported target ODE::ODE and ODE_VERSION, ODE_INCLUDE_DIR, ODE_LIBRARY, and ODE_IS_SHARED. To have a static ODE, set
-# ODE_LIBRARY to its archive.
+# Defines the imported target ODE::ODE and ODE_VERSION, ODE_INCLUDE_DIR, ODE_LIBRARY, ODE_IS_SHARED, and ODE_PKG_CONFIG_NAME. To have
+# a static ODE, set ODE_LIBRARY to its archive. Some distributions have one ODE for each precision: ODE_PKG_CONFIG_NAMES has the names
+# by which pkg-config may know it, the first that is there counts.
 # This file is installed beside the CMake package of ode_predictive_space, which uses it too.
 
+if(NOT ODE_PKG_CONFIG_NAMES)
+    set(ODE_PKG_CONFIG_NAMES ode ode-double)
+endif()
 find_package(PkgConfig QUIET)
 if(PkgConfig_FOUND)
-    pkg_check_modules(PC_ODE QUIET ode)
+    pkg_search_module(PC_ODE QUIET ${ODE_PKG_CONFIG_NAMES})
+endif()
+set(ODE_PKG_CONFIG_NAME ode)
+if(PC_ODE_MODULE_NAME)
+    set(ODE_PKG_CONFIG_NAME ${PC_ODE_MODULE_NAME})
 endif()
 
 find_path(
@@ -15,7 +23,8 @@ find_path(
     HINTS ${PC_ODE_INCLUDEDIR} ${PC_ODE_INCLUDE_DIRS})
 find_library(
     ODE_LIBRARY
-    NAMES ode ode_double
+    # The last two are those of a static ODE for Windows.
+    NAMES ${PC_ODE_LIBRARIES} ode ode_double ode-double ode_doubles ode_singles NAMES_PER_DIR
     HINTS ${PC_ODE_LIBDIR} ${PC_ODE_LIBRARY_DIRS})
 mark_as_advanced(ODE_INCLUDE_DIR ODE_LIBRARY)
 
@@ -39,6 +48,16 @@ if(ODE_FOUND AND NOT TARGET ODE::ODE)
     add_library(ODE::ODE UNKNOWN IMPORTED)
     set_target_properties(ODE::ODE PROPERTIES IMPORTED_LOCATION "${ODE_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES
                                                                                  "${ODE_INCLUDE_DIR}")
+    # Headers that serve both precisions expect a definition, which pkg-config has for the library that it describes.
+    get_filename_component(ode_library_dir "${ODE_LIBRARY}" DIRECTORY)
+    get_filename_component(ode_library_dir "${ode_library_dir}" REALPATH)
+    get_filename_component(ode_described_dir "${PC_ODE_LIBDIR}" REALPATH)
+    if(PC_ODE_FOUND AND ode_library_dir STREQUAL ode_described_dir)
+        set(ode_precision ${PC_ODE_CFLAGS_OTHER})
+        list(FILTER ode_precision INCLUDE REGEX "^-Dd(IDE)?(SINGLE|DOUBLE)$")
+        list(TRANSFORM ode_precision REPLACE "^-D" "")
+        set_target_properties(ODE::ODE PROPERTIES INTERFACE_COMPILE_DEFINITIONS "${ode_precision}")
+    endif()
     if(NOT ODE_IS_SHARED)
         # An archive does not name what it needs. Debian's needs libccd, which an ODE from its own source contains.
         find_package(Threads REQUIRED)

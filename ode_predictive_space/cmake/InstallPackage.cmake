@@ -1,5 +1,5 @@
 # What `cmake --install` puts into the prefix: headers, libraries, CMake package, pkg-config files. All of it can be moved.
-# The components are the packages of packaging/CMakeLists.txt.
+# The components divide it as packaging/debian divides it into packages.
 
 include(CMakePackageConfigHelpers)
 
@@ -28,22 +28,29 @@ endfunction()
 
 # A program that uses the space alone needs nothing of the haptics part: neither its headers nor Eigen, which they include.
 install_part(ode_predictive_space runtime development ode_predictive_space-targets)
-install_part(ode_predictive_space_haptics haptics haptics_development ode_predictive_space-haptics-targets)
+set(without_recorder)
+if(NOT UNIX)
+    set(without_recorder PATTERN "history.h" EXCLUDE)
+endif()
 install(
     DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
     COMPONENT development
     FILES_MATCHING
+    ${without_recorder}
     PATTERN "predictive_space.h"
     PATTERN "predictive_space.hpp"
     PATTERN "history.h"
     PATTERN "haptics" EXCLUDE)
-install(
-    DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space/haptics"
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ode_predictive_space"
-    COMPONENT haptics_development
-    FILES_MATCHING
-    PATTERN "*.h")
+if(TARGET ode_predictive_space::haptics)
+    install_part(ode_predictive_space_haptics haptics haptics_development ode_predictive_space-haptics-targets)
+    install(
+        DIRECTORY "${PROJECT_SOURCE_DIR}/include/ode_predictive_space/haptics"
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/ode_predictive_space"
+        COMPONENT haptics_development
+        FILES_MATCHING
+        PATTERN "*.h")
+endif()
 configure_package_config_file(
     "${CMAKE_CURRENT_LIST_DIR}/ode_predictive_space-config.cmake.in"
     "${CMAKE_CURRENT_BINARY_DIR}/ode_predictive_space-config.cmake"
@@ -60,7 +67,10 @@ install(
 # From the folder of the pkg-config files to the prefix.
 file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 # For `pkg-config --static`: what the archives have to be linked with.
-set(private_libraries "-lstdc++ -lm -ldl")
+set(private_libraries "-lstdc++ -lm")
+if(UNIX)
+    string(APPEND private_libraries " -ldl")
+endif()
 set(private_haptics_libraries "-pthread")
 if(ODE_PREDICTIVE_SPACE_HAS_SPNAV IN_LIST haptics_definitions)
     string(APPEND private_haptics_libraries " -lspnav")
@@ -74,6 +84,8 @@ function(install_pkg_config package component)
         COMPONENT ${component})
 endfunction()
 install_pkg_config(ode_predictive_space development)
-install_pkg_config(ode_predictive_space_haptics haptics_development)
+if(TARGET ode_predictive_space::haptics)
+    install_pkg_config(ode_predictive_space_haptics haptics_development)
+endif()
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)

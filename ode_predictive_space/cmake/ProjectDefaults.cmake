@@ -23,6 +23,11 @@ set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
+# The length of a path to the folder of the build would stay in the libraries, also in those that are installed.
+if(PROJECT_IS_TOP_LEVEL)
+    set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+endif()
+
 # A fused multiplication and addition rounds once, not twice: without this, results would depend on the processor.
 add_compile_options(-ffp-contract=off)
 
@@ -78,7 +83,7 @@ endfunction()
 # docs/reliability.md says what it costs, and a test looks at the libraries. Switch it off where a package brings its own flags.
 option(ODE_PREDICTIVE_SPACE_HARDENING "Harden the libraries of a release build" ON)
 function(ode_predictive_space_harden)
-    if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS)
+    if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS OR NOT UNIX)
         return()
     endif()
     foreach(target ${ARGN})

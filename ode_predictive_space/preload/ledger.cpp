@@ -40,9 +40,9 @@ std::string counters_line(const dPredictiveSpaceStats &stats)
     if (stats.ticks == 0)
         return "";
     return formatted("    ticks %lu, moved %lu, violations %lu, repredictions %lu, scheduled %lu, "
-                     "woken %lu, near %lu, scans %lu, bytes %lu\n",
+                     "woken %lu, near_pairs %lu, scans %lu, bytes %lu\n",
                      stats.ticks, stats.moved, stats.violations, stats.repredictions, stats.scheduled, stats.woken,
-                     stats.near, stats.scans, stats.bytes);
+                     stats.near_pairs, stats.scans, stats.bytes);
 }
 } // namespace
 

@@ -67,6 +67,11 @@ dSpaceID dPredictiveSpaceCreate(dSpaceID parent)
     return new dxPredictiveSpace(parent);
 }
 
+int dPredictiveSpaceGetVersion(void)
+{
+    return ODE_PREDICTIVE_SPACE_VERSION;
+}
+
 int dSpaceIsPredictive(dSpaceID space)
 {
     return space && dGeomIsSpace(space) && dynamic_cast<dxPredictiveSpace *>(space) != nullptr;
@@ -242,7 +247,7 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
     stats->repredictions = counters.repredictions;
     stats->scheduled = self->broadphase().waiting_pairs();
     stats->woken = self->broadphase().woken_pairs();
-    stats->near = self->broadphase().near_pairs();
+    stats->near_pairs = self->broadphase().near_pairs();
     stats->reported = self->reported();
     stats->scans = counters.sweeps;
     stats->bytes = self->bytes();
@@ -259,7 +264,10 @@ void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *count
         return;
     }
     const Broadphase &broadphase = self->broadphase();
-    const dPredictiveSpaceCounters known{self->unchanged(), broadphase.postponed_pairs(), broadphase.counters().looks};
+    dPredictiveSpaceCounters known; // on Windows, their type is narrower than ours
+    known.unchanged = static_cast<unsigned long>(self->unchanged());
+    known.postponed = static_cast<unsigned long>(broadphase.postponed_pairs());
+    known.looks = static_cast<unsigned long>(broadphase.counters().looks);
     std::memset(counters, 0, size);
     std::memcpy(counters, &known, std::min<std::size_t>(size, sizeof known));
 }

@@ -39,11 +39,11 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &
     if (!first.known() || !second.known())
         return std::nullopt;
     const bool by_spheres = by_sphere() && !found_by_libccd(geoms_[pair.first], geoms_[pair.second]);
-    const std::optional<double> near = broadphase_.time_of_proximity(first, second, by_spheres);
-    if (!near || !by_shape())
-        return near;
+    const std::optional<double> earliest = broadphase_.time_of_proximity(first, second, by_spheres);
+    if (!earliest || !by_shape())
+        return earliest;
     const std::optional<double> contact = broadphase_.time_of_contact(first, second, pair);
-    return contact ? std::optional<double>(std::max(*near, *contact)) : std::nullopt;
+    return contact ? std::optional<double>(std::max(*earliest, *contact)) : std::nullopt;
 }
 
 std::vector<ProxyId> dxPredictiveSpace::members() const

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#if __has_include(<link.h>)
 #include <dlfcn.h>
 #include <link.h>
+#endif
 
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/ode_internals.h"
@@ -22,6 +24,7 @@ bool precision_differs()
     return dCheckConfiguration(wanted) == 0;
 }
 
+#if __has_include(<link.h>)
 int collect_name(dl_phdr_info *object, size_t, void *names)
 {
     static_cast<std::vector<std::string> *>(names)->emplace_back(object->dlpi_name ? object->dlpi_name : "");
@@ -47,6 +50,13 @@ bool several_copies()
     }
     return copies.size() > 1;
 }
+#else
+// Where programs have a static ODE, they have one copy.
+bool several_copies()
+{
+    return false;
+}
+#endif
 
 // A geom with a value of its own in every member that the public API can set.
 bool geom_layout_differs(dSpaceID space)

@@ -42,10 +42,10 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_misplaced(const std::vector
 dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vector<ProxyId> &members,
                                                                   const GeomScene &now) const
 {
-    std::vector<std::pair<ProxyId, ProxyId>> near;
+    std::vector<std::pair<ProxyId, ProxyId>> near_pairs;
     Violation wrong_state;
     broadphase_.for_each_near_pair([&](const CandidatePair &pair, PairState state) {
-        near.push_back(std::minmax(pair.first, pair.second));
+        near_pairs.push_back(std::minmax(pair.first, pair.second));
         const bool overlap = now.overlap(geoms_[pair.first], geoms_[pair.second]);
         // By the shape test, pairs rest as separated whose boxes overlap.
         if (state == PairState::overlapping ? !overlap : state == PairState::separated && overlap && !by_shape())
@@ -53,9 +53,9 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
     });
     if (wrong_state.what)
         return wrong_state;
-    std::sort(near.begin(), near.end());
-    const auto twice = std::adjacent_find(near.begin(), near.end());
-    if (twice != near.end())
+    std::sort(near_pairs.begin(), near_pairs.end());
+    const auto twice = std::adjacent_find(near_pairs.begin(), near_pairs.end());
+    if (twice != near_pairs.end())
         return {"a pair is twice in the near set", geoms_[twice->first], geoms_[twice->second]};
     for (std::size_t i = 0; i < members.size(); ++i)
         for (std::size_t j = i + 1; j < members.size(); ++j)
@@ -63,7 +63,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
             dxGeom *one = geoms_[members[i]], *other = geoms_[members[j]];
             // Pairs of disabled geoms are not kept.
             if (now.overlap(one, other) && enabled(one) && enabled(other) &&
-                !std::binary_search(near.begin(), near.end(), std::make_pair(members[i], members[j])))
+                !std::binary_search(near_pairs.begin(), near_pairs.end(), std::make_pair(members[i], members[j])))
                 return {"two geoms overlap and are not in the near set", one, other};
         }
     return {};

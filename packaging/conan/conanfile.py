@@ -1,4 +1,7 @@
-"""A recipe for Conan 2: conan create packaging/conan. ODE is the system's, which Conan has no package of."""
+"""A recipe for Conan 2: conan create packaging/conan. ODE is the system's, which Conan has no package of.
+
+NOT RUN: no package has ever been made by it.
+"""
 import re
 from pathlib import Path
 

@@ -1,3 +1,4 @@
+# NOT RUN: this port has never been built.
 # An overlay port: vcpkg install ode-predictive-space --overlay-ports=packaging/vcpkg
 # It builds the sources that it lies in. ODE is static unless the triplet makes libraries shared: then there is no launcher.
 

@@ -55,7 +55,7 @@ public:
     Memory memory() const
     {
         const dPredictiveSpaceStats stats = stats_of(space_.get());
-        return {static_cast<double>(stats.bytes), heap_in_use() - before_, static_cast<double>(stats.near)};
+        return {static_cast<double>(stats.bytes), heap_in_use() - before_, static_cast<double>(stats.near_pairs)};
     }
 
 private:

@@ -53,7 +53,7 @@ TEST_F(Contract, 01_DisabledGeomsInOnePlaceFormNoPairs)
                 dPredictiveSpaceGetEncounters(scene.space(), dSpaceGetGeom(scene.space(), 0), nullptr, 0);
             run(scene, 1);
             const dPredictiveSpaceStats stats = stats_of(scene);
-            ASSERT_EQ(stats.near, 0u) << "tick " << tick;
+            ASSERT_EQ(stats.near_pairs, 0u) << "tick " << tick;
             ASSERT_EQ(stats.scheduled, 0u) << "tick " << tick;
             ASSERT_LT(stats.bytes, 1024u * crowd) << "tick " << tick;
         }
@@ -125,7 +125,7 @@ TEST_F(Contract, 01_DisablingDropsThePairs)
         dGeomDisable(geoms[i]);
     run(scene, 100);
     EXPECT_EQ(scene.log().back().size(), 45u);
-    EXPECT_EQ(stats_of(scene).near, 45u);
+    EXPECT_EQ(stats_of(scene).near_pairs, 45u);
     EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
 }
 struct Disabling

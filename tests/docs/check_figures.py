@@ -28,7 +28,7 @@ import sys
 
 from pages import pages_of
 
-TABLES_ARE_FROM_DATA = ("README.md", "docs/performance.md", "docs/faq.md", "docs/clients.md", "docs/tuning.md", "docs/reliability.md",
+TABLES_ARE_FROM_DATA = ("README.md", "packaging/release_notes_0.1.0.md", "docs/performance.md", "docs/faq.md", "docs/clients.md", "docs/tuning.md", "docs/reliability.md",
                         "docs/demo.md", "docs/log/results.md")
 ALL_IS_FROM_DATA = ("docs/performance.md",)
 ODE = ("simple", "hash", "quadtree", "sap")

@@ -64,7 +64,7 @@ has 'cmake .*TEST_CLIENTS=ON'
 
 calls_of dev package
 has 'apt-get install .*libode-dev'
-lacks "libgtest|lintian|mmdebstrap|$games"
+lacks "libbenchmark|lintian|mmdebstrap|$games"
 has 'apt-get install .*debhelper'
 has 'make_debian_packages\.sh'
 

@@ -4,7 +4,7 @@ import re
 
 
 def pages_of(top):
-    return sorted([*top.glob("*.md"), *(top / "docs").rglob("*.md")])
+    return sorted([*top.glob("*.md"), *(top / "docs").rglob("*.md"), *(top / "packaging").glob("*.md")])
 
 
 def blocks(text):

@@ -99,7 +99,7 @@ void sample(Quarter &quarter, const ChurnedScene &scene)
     quarter.most.resident = std::max(quarter.most.resident, now.resident);
     dPredictiveSpaceStats stats;
     dPredictiveSpaceGetStats(scene.space(), &stats);
-    quarter.unreported += static_cast<double>(stats.near) - static_cast<double>(scene.pairs().size());
+    quarter.unreported += static_cast<double>(stats.near_pairs) - static_cast<double>(scene.pairs().size());
     quarter.waiting += static_cast<double>(stats.scheduled);
 }
 

@@ -43,6 +43,11 @@ protected:
     dSpaceID space = scene.space();
 };
 
+TEST(Version, IsThatOfTheHeader)
+{
+    EXPECT_EQ(dPredictiveSpaceGetVersion(), ODE_PREDICTIVE_SPACE_VERSION);
+}
+
 TEST_F(PredictiveSpace, MeasuresByBoxesUnlessToldOtherwise)
 {
     EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximityBox);
@@ -326,9 +331,9 @@ TEST_F(PredictiveSpace, StatsCountWhatHappens)
         const dPredictiveSpaceStats now = stats();
         EXPECT_EQ(now.ticks, static_cast<unsigned long>(tick));
         EXPECT_EQ(now.reported, reported);
-        EXPECT_GE(now.near, pairs);
-        EXPECT_LE(now.near, 190u);
-        EXPECT_LE(now.scheduled, now.near);
+        EXPECT_GE(now.near_pairs, pairs);
+        EXPECT_LE(now.near_pairs, 190u);
+        EXPECT_LE(now.scheduled, now.near_pairs);
     }
     EXPECT_EQ(stats().moved, 20u * 200u);
     EXPECT_GT(stats().repredictions, 0u);

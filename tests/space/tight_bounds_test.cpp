@@ -34,7 +34,7 @@ protected:
         }
         dPredictiveSpaceStats stats;
         dPredictiveSpaceGetStats(space, &stats);
-        return stats.near;
+        return stats.near_pairs;
     }
 
     Scenario scene{SpaceKind::predictive};
@@ -73,7 +73,7 @@ TEST(Meshes, ThatTurnArePredictedForLong)
     }
     dPredictiveSpaceGetStats(scene.space(), &end);
     EXPECT_LT(end.repredictions - begin.repredictions, meshes * ticks / 100u);
-    EXPECT_EQ(end.near, 0u);
+    EXPECT_EQ(end.near_pairs, 0u);
 }
 } // namespace
 } // namespace ode_predictive_space

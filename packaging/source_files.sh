@@ -1,0 +1,26 @@
+# For scripts that include this: which files are the project's.
+# shellcheck shell=bash
+
+# source_files <folder>: those that git tracks, or, in an unpacked archive, all but what is built. Each ends with a zero byte.
+source_files() {
+    if [[ -e $1/.git ]]; then
+        git -C "$1" ls-files -z
+    else
+        (cd "$1" && find . -path ./build -prune -o \( -type f -o -type l \) -printf '%P\0')
+    fi
+}
+
+# copy_source_files <from> <to>
+copy_source_files() {
+    mkdir -p "$2"
+    source_files "$1" | tar -C "$1" --null --files-from=- --create | tar -C "$2" --extract
+}
+
+# time_of_sources <folder>: of the last commit, or of the archive; as mail has it.
+time_of_sources() {
+    if [[ -e $1/.git ]]; then
+        git -C "$1" log -1 --format=%cD
+    else
+        date --rfc-email --reference="$1/CMakeLists.txt"
+    fi
+}
