@@ -16,7 +16,6 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
     return time_of_proximity(pair, broadphase_.forecast(now, pair.first, ticks_), now, apart_until);
 }
 
-// Answers of the shape test are about shapes.
 void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene &now)
 {
     if (!by_shape())
@@ -68,7 +67,7 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
         if (time)
             times.emplace_back(*time, other);
     }
-    std::sort(times.begin(), times.end()); // at one time by number: never by address
+    std::sort(times.begin(), times.end()); // equal times are ordered by number, never by address
     std::vector<Encounter> met;
     for (const auto &[time, id] : times)
         met.push_back({geoms_[id], time});
