@@ -12,8 +12,7 @@ namespace ode_predictive_space
 class Access
 {
 public:
-    /// Permission to tick, callbacks included. It is refused while another thread ticks, and granted to a callback of the same
-    /// thread.
+    /// Permission to tick and call back. It is refused while another thread ticks, and granted to callbacks of the same thread.
     class Turn
     {
     public:

@@ -13,11 +13,11 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Relative enlargement of bounding spheres for round-off: rotation matrices are not exactly orthonormal, so a turned box may
-// stick out of its sphere, and spheres that touch according to dCollide() may be slightly apart.
+// Round-off, relative to radii: rotations are not exactly orthonormal, and spheres that touch by dCollide() may be slightly
+// apart.
 constexpr double tolerance = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5;
 
-// Velocity of the geom's centre, which circles around its body if the geom has an offset.
+// A geom with an offset circles around its body.
 Vector3 velocity_of(dxGeom *geom)
 {
     if (!dBodyIsEnabled(geom->body))
@@ -31,8 +31,7 @@ Vector3 velocity_of(dxGeom *geom)
     return Vector3(at_centre[0], at_centre[1], at_centre[2]);
 }
 
-// Difference of the geom's matrix from a rotation. A sphere is the same for any matrix; a ray needs only the column of its
-// direction, which is all that dGeomRaySet() sets.
+// A sphere is the same for any matrix; a ray needs only the column of its direction, which is all that dGeomRaySet() sets.
 double skew_of_geom(const dxGeom *geom)
 {
     if (!(geom->gflags & GEOM_PLACEABLE) || geom->type == dSphereClass)
@@ -41,8 +40,7 @@ double skew_of_geom(const dxGeom *geom)
     return geom->type == dRayClass ? std::abs(Vector3(R[2], R[6], R[10]).squaredNorm() - 1) : skew_of(R);
 }
 
-// Distance at which ODE's colliders may still find a contact between geoms that are apart: in single precision, coordinates far
-// from the origin are rounded.
+// Gap in which ODE's colliders may find a contact: in single precision, they round coordinates far from the origin.
 double rounding_at([[maybe_unused]] const Box &bounds)
 {
     if constexpr (sizeof(dReal) == sizeof(double))
@@ -58,9 +56,8 @@ bool is_finite(const Box &box)
     return box.min().minCoeff() >= -most && box.max().maxCoeff() <= most;
 }
 
-// The sphere of the sphere test, around the centre of the bounding box. Its radius is the circumscribed one or, for classes
-// without one, half the diagonal of the box. It depends on the present state alone, so that reports do not depend on the past.
-// @pre the box is valid.
+// The sphere of the sphere test. It depends on the present state alone, so that reports do not depend on the past. @pre the box
+// is valid.
 class JudgedSphere
 {
 public:
@@ -73,8 +70,7 @@ public:
         radius_ = std::isfinite(circumscribed) ? circumscribed : 0.5 * bounds_.diagonal().norm();
     }
 
-    // True if anything is NaN or infinite: such a pair is reported. Most pairs touch without the enlargement, whose skew is
-    // costly.
+    // True if anything is NaN or infinite: such a pair is reported. Most pairs touch, and save the check of skew.
     bool may_touch(const JudgedSphere &other) const
     {
         const double squared = (centre_ - other.centre_).squaredNorm();
@@ -83,7 +79,6 @@ public:
     }
 
 private:
-    // The radius, enlarged for skew and rounding.
     double enlarged() const
     {
         const double skew = skew_of_geom(geom_);
@@ -140,7 +135,7 @@ bool line_may_touch(dxGeom *ray, const dxGeom *geom)
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
-// Not inlined, as radius_at_offset(): most geoms have no offset.
+// Not inlined: most geoms have no offset.
 [[gnu::noinline]] bool turns_safely_at_offset(const dxGeom *geom)
 {
     return CarriedGeom(geom).turns_safely(most_offset);
@@ -240,7 +235,6 @@ void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) con
             visit(i);
 }
 
-// Measures by the formula of the class, otherwise by ODE's box.
 static void measure_geom(dxGeom *geom, Place &place, const Origin &origin)
 {
     if (geom->type <= dCylinderClass)
@@ -299,7 +293,7 @@ Box GeomScene::bounds(ProxyId id)
     return to_box(valid_aabb(geoms_[id]));
 }
 
-// The point that the geom turns about, which is finite; none if it is not known.
+// None if the point is unknown or not finite.
 static std::optional<Vector3> pivot_of(dxGeom *geom)
 {
     geom->recomputePosr();

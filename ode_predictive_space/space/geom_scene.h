@@ -16,15 +16,13 @@
 
 namespace ode_predictive_space
 {
-/// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom if its matrix is a
-/// rotation; infinite for other classes.
+/// Radius of the sphere around the geom's position that holds it in all orientations; infinite for classes beyond cylinders.
 double circumscribed_radius(const dxGeom *geom);
 
 /// The formula by which ODE computes the geom's bounding box from its pose, and the sizes in it; no formula for other classes.
 Solid solid_of(const dxGeom *geom);
 
-/// The sizes of a sphere, box, capsule or cylinder. They directly follow the members of dxGeom (ode_mismatch() checks this), so
-/// they can be read without a cast to the class.
+/// The sizes of a sphere, box, capsule or cylinder, which follow the members of dxGeom (ode_mismatch() checks this).
 static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is between them");
 inline const dReal *sizes_of(const dxGeom *geom)
 {
@@ -41,7 +39,7 @@ inline bool turns_safely(const dxGeom *geom)
     return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
 }
 
-/// Does a geom with these flags take part in collisions? It does if it is enabled and has a size.
+/// Is a geom with these flags enabled, and has it a size?
 inline bool enabled(int flags)
 {
     return (flags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
@@ -62,8 +60,8 @@ inline int flags_beside_others(const dxGeom *geom)
     return __atomic_load_n(&geom->gflags, __ATOMIC_ACQUIRE);
 }
 
-/// Computes a bad bounding box as dxGeom::recomputeAABB() does, and publishes it to flags_beside_others() in other threads.
-/// At most one thread at a time may call it for a geom.
+/// recomputeAABB(), with the flag published to flags_beside_others() of other threads. One thread at a time may call it for a
+/// geom.
 inline void compute_box_beside_others(dxGeom *geom)
 {
     if (!(geom->gflags & GEOM_AABB_BAD))
@@ -74,8 +72,7 @@ inline void compute_box_beside_others(dxGeom *geom)
     __atomic_store_n(&geom->gflags, geom->gflags & ~(GEOM_POSR_BAD | GEOM_AABB_BAD), __ATOMIC_RELEASE);
 }
 
-/// The bounding box, computed if necessary, also of a space with moved geoms. At most one thread at a time may call it for a
-/// geom.
+/// The bounding box, computed if necessary, also of a space with moved geoms. One thread at a time may call it for a geom.
 const dReal *valid_aabb(dxGeom *geom);
 
 /// Can the geom be touched outside a sphere around its bounding box? ODE also makes contacts beside and below the edge of a
@@ -92,7 +89,7 @@ bool touched_off_line(const dxGeom *geom);
 /// The line of a ray, relative to the origin; none if it is not finite.
 std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin);
 
-/// Can this ray touch the geom? @pre the boxes are valid.
+/// @pre the boxes are valid.
 bool line_may_touch(dxGeom *ray, const dxGeom *geom);
 
 /// False only for a ray that cannot touch the geom. @pre the boxes are valid.
@@ -101,7 +98,7 @@ inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
     return probe->type != dRayClass || line_may_touch(probe, geom);
 }
 
-/// Do the spheres of the sphere test overlap? @pre the boxes are valid.
+/// The sphere test of proximity, without the boxes. @pre the boxes are valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);
 
 /// Compares as ODE's collideAABBs(), so that touching boxes and NaN give the same result. @pre the boxes are valid.

@@ -9,11 +9,10 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A growing sphere reduces its gaps by the growth of its radius, and enlarges the margin, a part of its size: a thousandth or,
-// beside the thinnest slivers that are judged by shape, two thousandths.
+// The growth of a sphere's radius reduces its gaps, and enlarges the margin by less than a hundredth of the growth.
 constexpr double growth_and_margin = 1.01;
 
-// Number of ODE's roundings that slacks allow for.
+// ODE's roundings that slacks allow for.
 constexpr double rounded_places = 16;
 
 constexpr std::uint16_t group_of(int type)
@@ -65,8 +64,7 @@ constexpr double coplanar = 1e-6;
 // OPCODE computes the normal of a triangle in single precision, as the product of two sides. Its direction is off by up to 3.5
 // roundings times the aspect ratio of the triangle, and its plane, at the other shape, by that part of the distance from a
 // corner, which is at most twice the sum of both shapes' half sides. rounded_places cover aspect ratios up to 2. ODE finds the
-// point of a triangle nearest to a sphere by a determinant: in single-precision builds, its error grows with the square of the
-// ratio.
+// nearest point of a triangle to a sphere by a determinant, whose error in single precision grows with the square of the ratio.
 double sliver_factor_of(const DataHull &hull)
 {
     const double factor = std::max(1.0, hull.aspect / 2);
@@ -88,7 +86,6 @@ bool has_old_box(const ConvexShape &mesh)
     return static_cast<const DataHull &>(*mesh.hull).has_old_box;
 }
 
-// Sets the classes beside which the geom is judged by shape, and its margin beside meshes.
 void take_partners(dxGeom *geom, ConvexShape &shape)
 {
     shape.group = group_of(geom->type);
@@ -200,7 +197,6 @@ bool take_all(dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexS
     return take_form(geom, hull, shape) && take_pose(geom, shape);
 }
 
-// Is the shape unchanged, apart from its pose?
 bool keeps_form(dxGeom *geom, const ConvexShape &shape)
 {
     if (shape.group != group_of(geom->type) || (geom->gflags & GEOM_ZERO_SIZED))

@@ -5,8 +5,8 @@
 
 #include "ode_predictive_space/space/ode_internals.h"
 
-/// dHashSpaceGetLevels() and dHashSpaceSetLevels() expect these members directly after those of dxSpace. Nothing else reads
-/// them. They have the values of a new hash space.
+/// dHashSpaceGetLevels() and dHashSpaceSetLevels() expect these members, with the values of a new hash space. Nothing else
+/// does.
 struct dxSpaceWithHashLevels : public dxSpace
 {
     int global_minlevel = -3;

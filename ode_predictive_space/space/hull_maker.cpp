@@ -76,8 +76,7 @@ bool has_old_box(dGeomID mesh, const Box &box)
     return !Box(box.min() - slack, box.max() + slack).contains(kept_box(mesh));
 }
 
-// Adds opposite corners of the grid, which is centred at the origin, at height 0. A grid without cells, or with too many
-// samples, has none.
+// Adds opposite corners of the grid, which is centred at the origin; none if it has no cells, or too many samples.
 void add_corners(const HeightSamples &heights, PointCloud &points)
 {
     if (heights.columns < 2 || heights.rows < 2 || heights.columns > tuning::most_heights / heights.rows)

@@ -68,7 +68,7 @@ private:
     bool is_usable_ = true;
 };
 
-/// Reads the vertices that the triangles of a mesh use, and measures the triangles.
+/// Reads the vertices that the triangles of a mesh use.
 class MeshReader
 {
 public:
@@ -78,7 +78,7 @@ public:
     std::size_t read(std::size_t steps, PointCloud &points);
     bool is_done() const { return !is_readable_ || (triangle_ == mesh_.triangle_count && vertex_ == used_.size()); }
 
-    /// Do the vertices of all triangles exist?
+    /// The vertices of all triangles exist, as far as they were read.
     bool is_readable() const { return is_readable_; }
     double least_normal() const { return least_normal_; }
     double aspect() const { return aspect_; }
@@ -88,7 +88,7 @@ private:
     void read_triangle();
 
     TriangleArrays mesh_;
-    std::vector<bool> used_; // by vertex
+    std::vector<bool> used_; // vertices
     std::uint32_t triangle_ = 0, vertex_ = 0;
     bool is_readable_ = true;
     double least_normal_ = std::numeric_limits<double>::infinity(), aspect_ = 1;

@@ -23,10 +23,8 @@ public:
         bool is_being_made = false;
     };
 
-    /// The hull of a convex, mesh or heightfield; that of a heightfield is the rectangle of its grid, with the grid as surface.
-    /// It is kept for the geom until release(). An unknown hull is made, as far as the steps suffice.
-    ///
-    /// @param steps see HullMaker::go_on(); replaced by the unused ones.
+    /// The hull of a convex, mesh or heightfield (the rectangle of its grid), kept for the geom until release(). An unknown
+    /// hull is made, as far as the steps suffice. @param steps see HullMaker::go_on(); replaced by the unused ones.
     Found hull_of(ProxyId id, dxGeom *geom, std::size_t &steps);
 
     /// Has the geom other data now than `hull`, which hull_of() returned?

@@ -22,8 +22,7 @@ public:
           offset_(Float4::nearest_of_stored(geom->offset_posr->pos, 1))
     {}
 
-    /// Does the sphere of carried() still hold the geom? The matrices may have changed, and the offset may exceed
-    /// `allowed_offset`.
+    /// Does the sphere of carried() still hold the geom? The matrices or the offset may have changed.
     bool turns_safely(float allowed_offset) const
     {
         const dMatrix3 &turned = geom_->offset_posr->R;
@@ -39,8 +38,7 @@ public:
         return origin.nearest_of_stored(body_->pos) + ((along_x + along_y) + along_z);
     }
 
-    /// @param radius that of a sphere around the geom's position; the result's radius adds the round-off of centre() and of
-    /// matrices.
+    /// @param radius around the geom's position. The result's radius adds the round-off of centre() and of the matrices.
     Carried carried(double radius, const Origin &origin) const
     {
         const dReal *offset = geom_->offset_posr->pos;

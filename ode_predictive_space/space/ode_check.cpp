@@ -28,8 +28,7 @@ int collect_name(dl_phdr_info *object, size_t, void *names)
     return 0;
 }
 
-// Names are collected before any is opened: dlopen() waits for threads that load an object, and these wait for the end of the
-// iteration.
+// No name is opened during the iteration: dlopen() waits for threads that load an object, and these wait for the iteration.
 bool several_copies()
 {
     std::vector<std::string> names;
@@ -119,9 +118,8 @@ const char *find_mismatch()
 }
 } // namespace
 
-// The check creates a space. Under the launcher, this may be the process's first call of ODE, which loads the second part of
-// the launcher. That part makes a predictive space during this check, after a check of its own, so a nested call finds no
-// mismatch.
+// The check creates a space. Under the launcher this may be the process's first call of ODE, which loads the second part of the
+// launcher. That part, after a check of its own, makes a predictive space during this check: the nested call finds no mismatch.
 const char *ode_mismatch()
 {
     static thread_local bool checking = false;

@@ -3,10 +3,8 @@
 
 namespace ode_predictive_space
 {
-/// Compares the ODE library in this process with the headers of this plugin, once: precision, number of copies, and the layout
-/// of geoms, spaces and poses. (Inside ODE, nothing can differ.)
-///
-/// @return null if they agree, otherwise a constant string that describes the difference.
+/// Compares the ODE library in this process, once, with this plugin's headers: precision, number of copies, layout. Inside ODE
+/// nothing can differ. @return null if they agree, otherwise a constant string that describes the difference.
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 inline const char *ode_mismatch()
 {

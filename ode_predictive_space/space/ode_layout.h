@@ -1,8 +1,6 @@
-// The part of ODE's internal binary interface that the space uses: declarations of its classes, flags and functions.
-//
-// A new kind of dSpace must derive from dxSpace, which ODE declares only in its source. Layout, unused members included, calls
-// and symbols are those of ODE 0.15 to 0.16.6. layout_test compares them with ODE's source if it is available; ode_mismatch()
-// checks the ODE in the process.
+// The part of ODE's internal binary interface that the space uses: declarations of its classes, flags and functions. A new kind
+// of dSpace must derive from dxSpace, which ODE declares only in its source. Layout (with unused members), calls and symbols
+// are those of ODE 0.15 to 0.16.6. layout_test compares them with ODE's source; ode_mismatch() checks the ODE in the process.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_LAYOUT_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_LAYOUT_H
@@ -58,9 +56,9 @@ struct dBase
 /// The object behind a dGeomID. Virtual functions are in the order of ODE's virtual table.
 struct dxGeom : public dBase
 {
-    int type; ///< class number
+    int type;
     int gflags;
-    void *data; ///< the program's own
+    void *data;
     dBodyID body;
     dxGeom *body_next;     ///< list of the body's geoms
     dxPosR *final_posr;    ///< in the world; a geom's own or its body's
@@ -104,9 +102,9 @@ struct dxGeom : public dBase
 /// The object behind a dSpaceID, a geom that contains geoms.
 struct dxSpace : public dxGeom
 {
-    int count;     ///< number of geoms in it
-    dxGeom *first; ///< first geom of the list
-    int cleanup;   ///< the geoms are destroyed with the space
+    int count; ///< of geoms
+    dxGeom *first;
+    int cleanup; ///< the geoms are destroyed with the space
     int sublevel;
     unsigned tls_kind;
     int current_index;    ///< of current_geom, for getGeom()
@@ -120,8 +118,8 @@ struct dxSpace : public dxGeom
     virtual dxGeom *getGeom(int index);
     virtual void add(dxGeom *geom);
     virtual void remove(dxGeom *geom);
-    virtual void dirty(dxGeom *geom); ///< the geom is moved, and was not dirty before
-    virtual void cleanGeoms() = 0;    ///< brings all bounding boxes up to date
+    virtual void dirty(dxGeom *geom); ///< a geom has moved that was not dirty before
+    virtual void cleanGeoms() = 0;    ///< computes all bounding boxes
     virtual void collide(void *data, dNearCallback *callback) = 0;
     virtual void collide2(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 };

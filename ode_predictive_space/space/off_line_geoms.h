@@ -19,7 +19,6 @@ public:
         unknown_.resize(count);
     }
 
-    /// The geom may have to enter or leave the set.
     void note_change(ProxyId id)
     {
         unknown_.insert(id);

@@ -28,9 +28,8 @@ constexpr int last_class_without_box = dRayClass;
 static_assert(dSphereClass < dBoxClass && dBoxClass < dCapsuleClass && dCapsuleClass < dCylinderClass &&
               dCylinderClass < dPlaneClass && dPlaneClass < dRayClass && dRayClass < dConvexClass);
 
-// bits_agree() and wants_callback() have the conditions of ODE's collideAABBs() other than overlap. Bits and bodies change
-// without notice, so they are read at each report. Bits come first: they exclude most pairs that always overlap, such as
-// adjacent walls.
+// bits_agree() and wants_callback() are the conditions of ODE's collideAABBs() other than overlap, read at each report because
+// bits and bodies change without notice. Bits come first: they exclude most pairs that always overlap, such as adjacent walls.
 inline bool bits_agree(const dxGeom *first, const dxGeom *second)
 {
     return ((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)) != 0;

@@ -26,7 +26,7 @@ dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpaceWithHashLevels(pa
     type = class_of_predictive_space;
 }
 
-// ~dxSpace() would call dxSpace::remove(), so the space is emptied here, in the same way.
+// ~dxSpace() would call dxSpace::remove(), so the space is emptied here.
 dxPredictiveSpace::~dxPredictiveSpace()
 {
     CHECK_NOT_LOCKED(this);
@@ -68,7 +68,7 @@ void dxPredictiveSpace::add(dxGeom *geom)
         enrol(geom);
 }
 
-// If memory runs out, the space remains as it was.
+// Throws before any change.
 void dxPredictiveSpace::start_predicting()
 {
     if (predicts_)
@@ -127,7 +127,6 @@ void dxPredictiveSpace::dismiss(dxGeom *geom)
     fit_to_proxies();
 }
 
-// Resizes the arrays by object after the broad phase has grown or shrunk.
 void dxPredictiveSpace::fit_to_proxies()
 {
     const std::size_t size = broadphase_.proxies().size();
@@ -207,7 +206,7 @@ inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
     off_line_.note_change(proxy_of(geom));
 }
 
-// Completes the enrolment of new geoms, whose classes are known only now.
+// The classes of new geoms are known only now.
 void dxPredictiveSpace::prepare()
 {
     unclassified_.for_each([this](ProxyId id) {
@@ -261,11 +260,9 @@ void dxPredictiveSpace::geom_changed(dxGeom *geom)
     }
 }
 
-// Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
-//
 // The caller then clears the flag of this space. In ODE a space is dirty while a geom in it is, because dGeomMoved() reports a
 // move upwards only to the first geom that is already dirty. So no geom in this space, at any depth, may remain dirty;
-// poll_moves() also reads the classes of new geoms, to find the spaces among them.
+// poll_moves() also reads the classes of new geoms, to find the spaces among them. Moves stay reported for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
     if (!first)

@@ -16,10 +16,8 @@
 #include "ode_predictive_space/space/hash_levels.h"
 #include "ode_predictive_space/space/off_line_geoms.h"
 
-/// By box, the space calls its callback for exactly the pairs of a dxSimpleSpace.
-///
-/// With few geoms it works as a dxSimpleSpace until it has to predict, which then never ends. While it predicts, next_ex of
-/// each geom holds the proxy number + 1; before, it is null.
+/// By box, the space calls its callback for exactly the pairs of a dxSimpleSpace. With few geoms it works as one until it has
+/// to predict, which then never ends. While it predicts, next_ex of each geom holds the proxy number + 1; before, it is null.
 struct dxPredictiveSpace : public dxSpaceWithHashLevels
 {
     explicit dxPredictiveSpace(dxSpace *parent);
@@ -39,27 +37,23 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
     ode_predictive_space::Role role(dxGeom *geom) const;
 
-    /// Updates the broad phase without a tick.
-    ///
-    /// @return false, after a message, if an update is in progress, in another thread's tick or further up the stack.
+    /// Updates the broad phase without a tick. @return false, after a message, if an update is in progress, in another thread's
+    /// tick or further up the stack.
     bool catch_up(const char *function);
 
-    /// Calls catch_up() for a forecast query.
-    ///
-    /// @return a lock under which queries that write wait in other threads; it is empty if catch_up() failed.
+    /// Calls catch_up(). @return a lock under which other threads' queries that write wait; without a mutex if catch_up()
+    /// failed.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> begin_inquiry(const char *function);
 
-    /// The data of a geom of this space have been changed in place.
     void geom_changed(dxGeom *geom);
 
     /// Makes the hulls of all geoms with data, in this space and in predictive spaces inside it, as far as they test by shape.
     void make_hulls(const char *function);
 
-    /// A geom that another one can meet, in ticks from now.
     struct Encounter
     {
         dxGeom *geom;
-        double ticks;
+        double ticks; // from now
     };
 
     /// Time of proximity of two geoms of this space, in ticks from now. None if they stay apart for `apart_until` ticks, which
@@ -85,8 +79,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     std::size_t bytes() const;
 
 private:
-    // The space is locked while it works and while its callbacks run, as ODE's own are. Several threads may hold a lock at
-    // once.
+    // Locks the space while it works and calls back, as ODE's spaces do. Several threads may hold locks at once.
     struct Lock
     {
         explicit Lock(dxSpace *space)

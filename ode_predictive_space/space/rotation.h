@@ -21,7 +21,6 @@ namespace ode_predictive_space
 /// Upper bound of the round-off in products of rows of a rotation in ODE's precision.
 constexpr float round_off = sizeof(dReal) == sizeof(double) ? 1e-6f : 1e-5f;
 
-/// The columns of a matrix, in single precision.
 struct Columns
 {
     Float4 x, y, z;

@@ -54,7 +54,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 {
     dAASSERT(geom && callback);
     const Lock lock(this);
-    // The shape test must first notice meshes with other data, which only an update finds.
+    // By shape, an update must first find meshes that have other data now.
     if (static_cast<std::size_t>(count) <= tuning::few_to_ask && !looks_at_shapes())
         return ask_each(data, geom, callback);
     if (!is_caught_up() && !catch_up("dSpaceCollide2"))
@@ -72,7 +72,6 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
         found_ = std::move(found);
 }
 
-// Among few geoms an index does not pay.
 void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callback)
 {
     bool all_boxes_known = true;
@@ -133,8 +132,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     return question.geom->type == dRayClass || shapes_may_meet(geom, question.geom);
 }
 
-// A check costs as much as ODE's search for contacts of two primitives, so one of the two must have data. The hull of a probe
-// is known only if the probe is in this space.
+// For two primitives a check costs as much as ODE's collider. The hull of a probe is known only if the probe is in this space.
 bool dxPredictiveSpace::shapes_may_meet(dxGeom *geom, dxGeom *probe)
 {
     const bool probe_is_member = probe->parent_space == this;
