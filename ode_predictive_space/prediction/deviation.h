@@ -25,7 +25,6 @@ inline Deviation operator*(double factor, const Deviation &deviation)
     return {factor * deviation.a, factor * deviation.b, factor * deviation.c};
 }
 
-/// The deviation of the relative position of two objects.
 inline Deviation operator+(const Deviation &first, const Deviation &second)
 {
     return {first.a + second.a, first.b + second.b, first.c + second.c};

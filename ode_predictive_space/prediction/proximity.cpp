@@ -8,8 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Lowers P(m), for all m >= 0, by more than rounding can raise P or its discriminant. Otherwise paths that barely touch could
-// be found apart.
+// Lowers P(m), m >= 0, by more than rounding raises P or its discriminant: paths that barely touch must not be found apart.
 ProximityPolynomial lowered_by_rounding(const ProximityPolynomial &P, double A_terms, double B_terms, double C_terms)
 {
     return {P.A - rounding_per_size * A_terms, P.B - rounding_per_size * B_terms, P.C - rounding_per_size * C_terms};

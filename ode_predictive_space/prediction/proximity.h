@@ -36,9 +36,8 @@ double sphere_chord_error(const Envelope &first, const Envelope &second, double 
 /// @return none if the spheres are apart over all of [0, duration]; 0 if a radius is infinite or any value is NaN.
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
-/// As sphere_time_of_proximity(), for the boxes: equation 1 by slabs, |distance| <= half extents + R(t) along each axis, over
-/// the chords of equation 6, with the whole chord error of the axis added. A side that is infinite or NaN never proves them
-/// apart.
+/// As sphere_time_of_proximity(), for boxes: equation 1 by slabs, |distance| <= half extents + R(t) along each axis, over
+/// chords (equation 6) with the whole chord error of the axis. A side that is infinite or NaN never proves boxes apart.
 std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
 using TimeOfProximity = std::optional<double>(const Envelope &first, const Envelope &second, double duration);

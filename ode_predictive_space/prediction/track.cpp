@@ -7,8 +7,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A motion ends when its acceleration changes, in one tick, by more than this part of its longest step. Hands and motors change
-// theirs more smoothly.
+// Change of acceleration in a tick, relative to the longest step, above which a motion ends. Hands and motors change smoothly.
 constexpr double other_motion = 0.1;
 } // namespace
 

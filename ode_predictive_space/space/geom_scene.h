@@ -92,7 +92,7 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin);
 /// @pre the boxes are valid.
 bool line_may_touch(dxGeom *ray, const dxGeom *geom);
 
-/// False only for a ray that cannot touch the geom. @pre the boxes are valid.
+/// @pre the boxes are valid.
 inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
 {
     return probe->type != dRayClass || line_may_touch(probe, geom);

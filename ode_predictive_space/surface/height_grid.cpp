@@ -82,7 +82,7 @@ void HeightGrid::begin_level()
     levels_.push_back(std::move(level));
 }
 
-// Maximum height of a square of the level under construction.
+// The square is one of the level under construction.
 float HeightGrid::highest_below(int column, int row) const
 {
     if (levels_.size() == 1)

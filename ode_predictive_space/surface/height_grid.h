@@ -30,15 +30,13 @@ struct GridSize
 class HeightGrid final : public Surface
 {
 public:
-    /// The height of the sample in a column and a row.
-    using Height = std::function<double(int, int)>;
+    using Height = std::function<double(int, int)>; ///< height of a sample by column and row
 
-    /// A cell, seen from a box.
     struct Cell
     {
         int column, row; ///< those of the corner with the least x and z
         double x, z;     ///< coordinates of that corner, in the cell's copy if the grid repeats
-        double distance; ///< largest gap along an axis between box and solid; negative if they overlap
+        double distance; ///< largest gap along an axis between a box and the solid below; negative if they overlap
     };
 
     /// @param height is called only by build(), until the grid is ready.

@@ -16,7 +16,7 @@ public:
     Surface(const Surface &) = delete;
     Surface &operator=(const Surface &) = delete;
 
-    /// Triangles.
+    /// Number of triangles.
     virtual std::size_t count() const = 0;
 
     /// Continues the build by up to `steps` steps of about 20 ns each. @return the unused steps.

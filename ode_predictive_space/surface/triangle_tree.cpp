@@ -43,8 +43,7 @@ class TriangleTree::Builder
 public:
     explicit Builder(TriangleTree &tree) : tree_(tree)
     {
-        tree_.nodes_.reserve(tree_.order_.size() / 4 * 3 +
-                             8); // enough for nearly all meshes: no step then moves the nodes
+        tree_.nodes_.reserve(tree_.order_.size() / 4 * 3 + 8); // enough for most meshes: no step then moves nodes
         tree_.nodes_.resize(1);
         current_.range.end = static_cast<std::uint32_t>(tree_.order_.size());
         current_.divides = false;

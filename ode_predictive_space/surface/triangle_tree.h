@@ -43,7 +43,7 @@ public:
         }
     };
 
-    /// A tree of all triangles, whose vertices must exist and be finite. Only build() reads the arrays.
+    /// A tree of all triangles, whose vertices must exist and be finite. The arrays are not read yet.
     explicit TriangleTree(const TriangleArrays &mesh);
 
     /// A tree of some triangles, which keep their numbers. Only their vertices must exist and be finite.
