@@ -107,7 +107,7 @@ typedef struct dPredictiveSpaceStats
 {
     unsigned long ticks;         /**< dSpaceCollide() calls, also those before which nothing moved, without nested
                                       ones from callbacks */
-    unsigned long moved;         /**< geoms that ODE reported as moved and that had changed, summed over updates */
+    unsigned long moved;         /**< geoms reported as moved that had changed, summed over ticks and queries */
     unsigned long violations;    /**< geoms that were found outside their envelopes */
     unsigned long repredictions; /**< new paths and envelopes */
     unsigned long scheduled;     /**< pairs now in the near set that are not tested: resting until one of their geoms

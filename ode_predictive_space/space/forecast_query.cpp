@@ -27,7 +27,6 @@ void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene
     broadphase_.follow_shapes(now, wanted);
 }
 
-// @param first the forecast of the pair's first object.
 std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, const Forecast &first,
                                                            GeomScene &now, double *apart_until)
 {

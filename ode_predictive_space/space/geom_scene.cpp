@@ -56,8 +56,7 @@ bool is_finite(const Box &box)
     return box.min().minCoeff() >= -most && box.max().maxCoeff() <= most;
 }
 
-// The sphere of the sphere test. It depends on the present state alone, so that reports do not depend on the past. @pre the box
-// is valid.
+// The sphere of the sphere test. It depends on the present state alone, and so do reports. @pre the box is valid.
 class JudgedSphere
 {
 public:

@@ -19,7 +19,8 @@ namespace ode_predictive_space
 /// Radius of the sphere around the geom's position that holds it in all orientations; infinite for classes beyond cylinders.
 double circumscribed_radius(const dxGeom *geom);
 
-/// The formula by which ODE computes the geom's bounding box from its pose, and the sizes in it; no formula for other classes.
+/// Formula and sizes by which ODE computes a bounding box from the pose: spheres, boxes, capsules and, in double precision,
+/// cylinders.
 Solid solid_of(const dxGeom *geom);
 
 /// The sizes of a sphere, box, capsule or cylinder, which follow the members of dxGeom (ode_mismatch() checks this).
@@ -60,7 +61,7 @@ inline int flags_beside_others(const dxGeom *geom)
     return __atomic_load_n(&geom->gflags, __ATOMIC_ACQUIRE);
 }
 
-/// recomputeAABB(), with the flag published to flags_beside_others() of other threads. One thread at a time may call it for a
+/// Computes a bad bounding box, and publishes the new flags to flags_beside_others(). One thread at a time may call it for a
 /// geom.
 inline void compute_box_beside_others(dxGeom *geom)
 {
@@ -98,7 +99,7 @@ inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
     return probe->type != dRayClass || line_may_touch(probe, geom);
 }
 
-/// The sphere test of proximity, without the boxes. @pre the boxes are valid.
+/// The sphere test of proximity, without the boxes; true for pairs that only boxes can judge. @pre the boxes are valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);
 
 /// Compares as ODE's collideAABBs(), so that touching boxes and NaN give the same result. @pre the boxes are valid.
