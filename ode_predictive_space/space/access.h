@@ -38,7 +38,7 @@ public:
         bool taken_, granted_;
     };
 
-    /// Marks a change of the broad phase. Queries by the aabb function of a user class are refused meanwhile.
+    /// Marks a change of the broad phase by its lifetime. Queries by the aabb function of a user class are refused meanwhile.
     class Work
     {
     public:

@@ -16,11 +16,10 @@
 
 namespace ode_predictive_space
 {
-/// Radius of the sphere around the geom's position that holds it in all orientations; infinite for classes beyond cylinders.
+/// Radius of a sphere around the position of a sphere, box, capsule or cylinder that holds it by any rotation; else infinite.
 double circumscribed_radius(const dxGeom *geom);
 
-/// Formula and sizes by which ODE computes a bounding box from the pose: spheres, boxes, capsules and, in double precision,
-/// cylinders.
+/// Formula and sizes of the bounding box from the pose, as in ODE: spheres, boxes, capsules, in double precision cylinders.
 Solid solid_of(const dxGeom *geom);
 
 /// The sizes of a sphere, box, capsule or cylinder, which follow the members of dxGeom (ode_mismatch() checks this).
@@ -61,8 +60,7 @@ inline int flags_beside_others(const dxGeom *geom)
     return __atomic_load_n(&geom->gflags, __ATOMIC_ACQUIRE);
 }
 
-/// Computes a bad bounding box, and publishes the new flags to flags_beside_others(). One thread at a time may call it for a
-/// geom.
+/// Computes a bad bounding box, and publishes the new flags to flags_beside_others(). At most one thread at a time per geom.
 inline void compute_box_beside_others(dxGeom *geom)
 {
     if (!(geom->gflags & GEOM_AABB_BAD))
@@ -73,7 +71,7 @@ inline void compute_box_beside_others(dxGeom *geom)
     __atomic_store_n(&geom->gflags, geom->gflags & ~(GEOM_POSR_BAD | GEOM_AABB_BAD), __ATOMIC_RELEASE);
 }
 
-/// The bounding box, computed if necessary, also of a space with moved geoms. One thread at a time may call it for a geom.
+/// The bounding box, computed if necessary, also of a space with moved geoms. At most one thread at a time per geom.
 const dReal *valid_aabb(dxGeom *geom);
 
 /// Can the geom be touched outside a sphere around its bounding box? ODE also makes contacts beside and below the edge of a

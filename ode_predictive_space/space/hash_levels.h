@@ -5,8 +5,8 @@
 
 #include "ode_predictive_space/space/ode_internals.h"
 
-/// dHashSpaceGetLevels() and dHashSpaceSetLevels() expect these members, with the values of a new hash space. Nothing else
-/// does.
+/// Only dHashSpaceGetLevels() and dHashSpaceSetLevels() read the members, which they expect directly after those of dxSpace.
+/// The values are those of a new hash space.
 struct dxSpaceWithHashLevels : public dxSpace
 {
     int global_minlevel = -3;

@@ -24,7 +24,7 @@ struct HeightSamples
         of_doubles
     };
 
-    dReal width, depth; ///< of all cells together
+    dReal width, depth; ///< extents of all cells together
     dReal cell_x, cell_z;
     dReal aspect, inverse_x, inverse_z, half_width, half_depth;
     dReal lowest, highest;

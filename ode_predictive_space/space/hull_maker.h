@@ -54,7 +54,7 @@ public:
     void add(const Vector3 &point);
 
     const Eigen::AlignedBox3d &box() const { return box_; }
-    /// Are there points, and is no coordinate beyond largest_length?
+    /// Are there points, and is each coordinate within largest_length?
     bool is_usable() const { return is_usable_ && !box_.isEmpty(); }
     std::size_t count() const { return points_.size(); }
 

@@ -23,6 +23,7 @@ public:
     {}
 
     /// Does the sphere of carried() still hold the geom? The matrices or the offset may have changed.
+    /// @param allowed_offset largest coordinate of an offset that the radius allows for.
     bool turns_safely(float allowed_offset) const
     {
         const dMatrix3 &turned = geom_->offset_posr->R;

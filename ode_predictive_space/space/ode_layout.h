@@ -61,8 +61,8 @@ struct dxGeom : public dBase
     void *data;
     dBodyID body;
     dxGeom *body_next;     ///< list of the body's geoms
-    dxPosR *final_posr;    ///< in the world; a geom's own or its body's
-    dxPosR *offset_posr;   ///< from the body; null for a geom without offset
+    dxPosR *final_posr;    ///< pose in the world; the geom's own or its body's
+    dxPosR *offset_posr;   ///< pose relative to the body; null for a geom without offset
     dxGeom *next;          ///< list of the space's geoms
     dxGeom **tome;         ///< the pointer in this list that points here
     dxGeom *next_ex;       ///< a second list, or other data of the space
@@ -102,12 +102,12 @@ struct dxGeom : public dBase
 /// The object behind a dSpaceID, a geom that contains geoms.
 struct dxSpace : public dxGeom
 {
-    int count; ///< of geoms
+    int count; ///< number of geoms
     dxGeom *first;
     int cleanup; ///< the geoms are destroyed with the space
     int sublevel;
     unsigned tls_kind;
-    int current_index;    ///< of current_geom, for getGeom()
+    int current_index;    ///< place of current_geom in the list
     dxGeom *current_geom; ///< the geom that getGeom() found last; null when the list has changed
     int lock_count;       ///< positive while the space collides
 

@@ -166,7 +166,7 @@ private:
     std::atomic<HasData> has_data_{HasData::unknown}; // does any geom have data? Only used before the space predicts
     bool predicts_ = false;                           // otherwise the broad phase is empty
     ode_predictive_space::Broadphase broadphase_;
-    std::vector<dxGeom *> geoms_; // by proxy number; null for gaps
+    std::vector<dxGeom *> geoms_; // indexed by proxy number; null for gaps
 
     ode_predictive_space::CountedIdSet unclassified_; // geoms added since the last update, of unknown class
     ode_predictive_space::CountedIdSet polled_;       // meshes and spaces, which change without notice
