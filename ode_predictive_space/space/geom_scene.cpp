@@ -13,8 +13,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Round-off, relative to radii: rotations are not exactly orthonormal, and spheres that touch by dCollide() may be slightly
-// apart.
+// Relative round-off: rotations are not exactly orthonormal, and spheres that touch by dCollide() may be slightly apart.
 constexpr double tolerance = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5;
 
 // A geom with an offset circles around its body.
@@ -56,7 +55,7 @@ bool is_finite(const Box &box)
     return box.min().minCoeff() >= -most && box.max().maxCoeff() <= most;
 }
 
-// The sphere of the sphere test. It depends on the present state alone, and so do reports. @pre the box is valid.
+// The sphere of the sphere test, by the geom's present state alone: reports do not depend on the past. @pre the box is valid.
 class JudgedSphere
 {
 public:
