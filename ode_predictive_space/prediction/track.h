@@ -11,7 +11,6 @@
 
 namespace ode_predictive_space
 {
-/// Position and orientation of an object at a tick.
 struct SampledPose
 {
     Vector3 pivot;            ///< the point that the object turns about

@@ -44,7 +44,7 @@ struct HeightSamples
     double height(int column, int row) const { return sample(column, row) * double{scale} + double{offset}; }
 };
 
-/// The data of a heightfield; null if it has none, or if the ODE in this process has another layout.
+/// The data of a heightfield; null without data, or if the ODE in this process has another layout.
 const HeightSamples *height_data_of(dGeomID heightfield);
 
 /// Access to data by their handle, with the same exceptions.

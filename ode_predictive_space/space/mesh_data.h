@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space
 {
-/// The data of a mesh; null if it has none, or if the ODE in this process has another layout, as ODE 0.15 has.
+/// The data of a mesh; null without data, or if the ODE in this process has another layout, as ODE 0.15 has.
 const TriangleArrays *mesh_data_of(dGeomID mesh);
 } // namespace ode_predictive_space
 

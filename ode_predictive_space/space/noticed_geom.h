@@ -72,7 +72,7 @@ public:
     const dReal *position() const { return geom_->final_posr->pos; }
     const dReal *rotation() const { return geom_->final_posr->R; }
 
-    /// Only the matrix is checked: a geom that had no offset when it was measured, and has_pose(), still has none.
+    /// Only the matrix is checked: a geom that had no offset when it was measured, and has_pose(), has no offset now.
     bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
 
     Solid solid() const { return solid_of(geom_); }

@@ -119,7 +119,7 @@ const char *find_mismatch()
 } // namespace
 
 // The check creates a space. Under the launcher this may be the process's first call of ODE, which loads the second part of the
-// launcher. That part, after a check of its own, makes a predictive space during this check: the nested call finds no mismatch.
+// launcher. That part, after its own check, makes a predictive space during this check: the nested call finds no mismatch.
 const char *ode_mismatch()
 {
     static thread_local bool checking = false;

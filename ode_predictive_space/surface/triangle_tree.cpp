@@ -79,7 +79,7 @@ private:
         }
     };
 
-    // The triangles order_[begin] to order_[end - 1], which belong to a node.
+    // Triangles below a node, as a range of order_.
     struct Range
     {
         std::uint32_t begin = 0, end = 0, node = 0, depth = 0;
