@@ -1,5 +1,5 @@
 /*
- * The predictive space in the manner of <ode/odecpp_collision.h>.
+ * The predictive space as a C++ class, in the style of <ode/odecpp_collision.h>.
  *
  * Copyright (c) the ode_predictive_space developers. BSD-3-Clause, see LICENSE.
  */
@@ -13,24 +13,26 @@
 #include <ode_predictive_space/predictive_space.h>
 
 /**
- * A predictive space, owned by this object as dSimpleSpace, dHashSpace and dQuadTreeSpace own theirs.
+ * A predictive space. The object owns it: its destructor destroys the space, as those of dSimpleSpace, dHashSpace and
+ * dQuadTreeSpace do.
  *
- * id() is 0 when the creation failed (see dPredictiveSpaceCreate()).
+ * If the creation fails, id() is 0 (see dPredictiveSpaceCreate()), and each function below gives a message and has no effect.
+ * Errors and thread safety are those of the C functions.
  */
 class dPredictiveSpace : public dSpace
 {
-    // Never defined: spaces are owned handles, and copying one would destroy it twice.
+    // Never defined: a copy would destroy the space twice.
     dPredictiveSpace(const dPredictiveSpace &);
     void operator=(const dPredictiveSpace &);
 
 public:
-    /** In no other space. */
+    /** Create a space that is in no other space. */
     dPredictiveSpace() { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(0)); }
 
-    /** Inside this space. */
+    /** Create a space inside `parent`. */
     explicit dPredictiveSpace(dSpace &parent) { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent.id())); }
 
-    /** The same; 0 for none. */
+    /** Create a space inside `parent`, or in no other space if it is 0. */
     explicit dPredictiveSpace(dSpaceID parent) { _id = reinterpret_cast<dGeomID>(dPredictiveSpaceCreate(parent)); }
 
     /** See dPredictiveSpaceSetProximity(). */
@@ -79,7 +81,7 @@ public:
         return dPredictiveSpaceGetEncounters(id(), geom, out, max);
     }
 
-    /** See dPredictiveSpaceGetStats(). */
+    /** See dPredictiveSpaceGetStats(). @return the statistics; of indeterminate values if id() is 0. */
     dPredictiveSpaceStats getStats() const
     {
         dPredictiveSpaceStats stats;
@@ -87,7 +89,7 @@ public:
         return stats;
     }
 
-    /** See dPredictiveSpaceGetCounters(). */
+    /** See dPredictiveSpaceGetCounters(). @return the counters; of indeterminate values if id() is 0. */
     dPredictiveSpaceCounters getCounters() const
     {
         dPredictiveSpaceCounters counters;

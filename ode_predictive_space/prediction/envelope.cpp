@@ -13,7 +13,7 @@ Box Envelope::at(double t) const
 
 Box Envelope::swept(double duration) const
 {
-    // Along an axis the path is a parabola: its extremes are its ends and, if it turns in between, its vertex.
+    // Along each axis the path is a parabola: its extremes are its ends and, if it turns between them, its vertex.
     const Vector3 end = path.at(duration);
     Box centres(path.position.cwiseMin(end), path.position.cwiseMax(end));
     for (int axis = 0; axis < 3; ++axis)
@@ -26,7 +26,7 @@ Box Envelope::swept(double duration) const
             centres.max()[axis] = std::max(centres.max()[axis], extreme);
         }
     }
-    // at() rounds differently: without a margin its box could stick out by some epsilons.
+    // at() rounds differently: without a margin, its box could exceed this one by some epsilons.
     const Vector3 growth = Vector3::Constant(deviation.at(duration));
     const Vector3 terms = size_of_terms(path, duration) + growth;
     const Vector3 margin_below = rounding_per_size * (terms + low.cwiseAbs());

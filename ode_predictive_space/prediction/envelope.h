@@ -13,9 +13,8 @@ namespace ode_predictive_space
 using Box = Eigen::AlignedBox3d;
 
 /// The box [s(t) + low - R(t), s(t) + high + R(t)], for t from 0 to the horizon.
-///
-/// `low` and `high` are the bounds relative to the path; single sides may be infinite (floors, half spaces).
-/// `radius` is the radius of a sphere around s(t) that holds the object; infinite when none is known.
+/// `low` and `high` are bounds relative to the path; single sides may be infinite (floors, half spaces).
+/// `radius` is that of a sphere around s(t) that holds the object; infinite if no such sphere is known.
 struct Envelope
 {
     Path path;
@@ -24,10 +23,9 @@ struct Envelope
     Vector3 high = Vector3::Zero();
     double radius = 0;
 
-    /// The same envelope with its time counted from t on.
+    /// The envelope with the origin of time moved to t >= 0.
     Envelope advanced(double t) const { return {path.advanced(t), deviation.advanced(t), low, high, radius}; }
 
-    /// The box at time t.
     Box at(double t) const;
 
     /// A box that contains at(t), rounding included, for every t from 0 to `duration` >= 0.

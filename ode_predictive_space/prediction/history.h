@@ -10,13 +10,12 @@
 
 namespace ode_predictive_space
 {
-/// A short ring of samples with tick times that may wrap around.
 class History
 {
 public:
     static constexpr int capacity = 8;
 
-    /// Adds the object's present position. A second position for the same tick replaces the first.
+    /// A second position for the same tick replaces the first. Ticks may wrap around.
     void add(std::uint32_t tick, const Vector3 &position)
     {
         if (count_ > 0 && ticks_[last()] == tick)
@@ -29,7 +28,7 @@ public:
         positions_[newest_] = position;
     }
 
-    /// Forgets all but the newest samples of the last `ticks` ticks.
+    /// Keeps only samples that are at most `ticks` ticks older than `now`.
     void keep_recent(std::uint32_t now, std::int32_t ticks)
     {
         int recent = 0;
@@ -40,11 +39,11 @@ public:
 
     int count() const { return count_; }
 
-    /// The nth position before the newest one; n < count().
+    /// The nth position before the newest one, which is number 0; n < count().
     const Vector3 &before_newest(int n) const { return positions_[nth_newest(n)]; }
     std::uint32_t newest_tick() const { return ticks_[last()]; }
 
-    /// The path through the samples, its time 0 at the newest one. At least one sample is needed.
+    /// The least-squares path, with time 0 at the newest sample. @pre count() > 0.
     FittedPath fit() const
     {
         std::array<Sample, capacity> samples;

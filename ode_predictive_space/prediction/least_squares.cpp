@@ -12,7 +12,7 @@ FittedPath fit_path(const Sample *samples, int count)
     constexpr int max_terms = 3;
     const int terms = std::min(count, max_terms);
     const Sample &newest = samples[count - 1];
-    // Times are scaled to [-1, 0], so that the columns of the system are of like size however long the samples reach back.
+    // Times are scaled to [-1, 0], so that the columns of the system have similar sizes for any span of samples.
     const double span = count > 1 ? newest.time - samples[0].time : 1.0;
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_samples, max_terms> powers(count, terms);
     Eigen::Matrix<double, Eigen::Dynamic, 3, 0, max_samples, 3> positions(count, 3);

@@ -14,19 +14,17 @@ struct Sample
     Vector3 position;
 };
 
-/// The most samples that fit_path() takes.
+/// Maximum number of samples for fit_path().
 constexpr int max_samples = 16;
 
-/// A path whose time 0 is the time of the newest sample, and its error.
 struct FittedPath
 {
     Path path;
-    double residual; ///< root of the mean squared distance between samples and path
+    double residual; ///< root mean square distance between samples and path
 };
 
-/// Fits a path of second degree by least squares. Two samples give a line, one a still point.
-///
-/// @param samples in ascending order of time, the newest last; times distinct.
+/// A path of second degree, with time 0 at the newest sample. Two samples give a line, one sample a constant position.
+/// @param samples in ascending order of time, with distinct times.
 /// @param count 1 to max_samples.
 FittedPath fit_path(const Sample *samples, int count);
 } // namespace ode_predictive_space

@@ -1,4 +1,4 @@
-// The estimated path of a geom: s(t) = p + v t + 1/2 a t^2 (Vogiannou et al., section 3).
+// The predicted path of an object: s(t) = p + v t + 1/2 a t^2 (Vogiannou et al., section 3).
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PATH_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_PATH_H
@@ -11,21 +11,20 @@ namespace ode_predictive_space
 {
 using Vector3 = Eigen::Vector3d;
 
-/// A curve of second degree in time. Lengths in the scene's unit, times in ticks.
+/// A curve of second degree in time. Lengths are in the scene's unit, times in ticks.
 struct Path
 {
     Vector3 position = Vector3::Zero();     ///< p, at time 0
     Vector3 velocity = Vector3::Zero();     ///< v, per tick
     Vector3 acceleration = Vector3::Zero(); ///< a, per tick^2
 
-    /// The point at time t.
     Vector3 at(double t) const { return position + t * (velocity + (0.5 * t) * acceleration); }
 
-    /// The same curve with its time counted from t on.
+    /// The curve with the origin of time moved to t.
     Path advanced(double t) const { return {at(t), velocity + t * acceleration, acceleration}; }
 };
 
-/// The path of `second` as seen from `first`.
+/// The path of `second` relative to `first`.
 inline Path relative_path(const Path &first, const Path &second)
 {
     return {second.position - first.position, second.velocity - first.velocity,
@@ -33,26 +32,23 @@ inline Path relative_path(const Path &first, const Path &second)
 }
 
 /// Largest distance between a path and its chord over [0, T], at equal times: 1/8 |a| T^2.
-///
-/// The paper's equation 4 keeps only the part that is perpendicular to the chord. That bounds the swept volume, but not the
-/// time: an object that accelerates along its own line is ahead of or behind its chord by up to the whole error.
+/// The paper's equation 4 keeps only the part perpendicular to the chord. This bounds the swept volume, but not the time:
+/// an object that accelerates along its own line is ahead of or behind its chord by up to the whole error.
 inline double chord_error(const Vector3 &acceleration, double duration)
 {
     return 0.125 * duration * duration * acceleration.norm();
 }
 
-/// Per axis, the sum of the absolute values of the terms of a coordinate of the path, at most, over [0, duration].
-///
-/// The terms may cancel, but their rounding errors do not: these are in proportion to this sum.
+/// Upper bound, per axis and over [0, duration], of the sum of the absolute values of a coordinate's terms. The terms may
+/// cancel, but their rounding errors, which are proportional to this sum, do not.
 inline Vector3 size_of_terms(const Path &path, double duration)
 {
     return path.position.cwiseAbs() + duration * (path.velocity.cwiseAbs() + duration * path.acceleration.cwiseAbs());
 }
 
-/// This, times the sum of the absolute values of all terms of a distance, is more than rounding can add to the distance.
-///
+/// Rounding adds less to a distance than this factor times the sum of the absolute values of the distance's terms.
 /// A bound of an envelope or a distance between two paths takes a dozen operations, each with an error of at most half an
-/// epsilon; moving the origin of time (`advanced()`) takes four more.
+/// epsilon; `advanced()` takes four more.
 constexpr double rounding_per_size = 16 * std::numeric_limits<double>::epsilon();
 } // namespace ode_predictive_space
 

@@ -8,19 +8,18 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Lowers P(m), for all m >= 0, by more than rounding can have raised it or can raise its discriminant. Without that, paths
-// that only just graze each other could be taken for apart.
+// Lowers P(m), m >= 0, by more than rounding raises P or its discriminant: paths that barely touch must not be found apart.
 ProximityPolynomial lowered_by_rounding(const ProximityPolynomial &P, double A_terms, double B_terms, double C_terms)
 {
     return {P.A - rounding_per_size * A_terms, P.B - rounding_per_size * B_terms, P.C - rounding_per_size * C_terms};
 }
 
-// The part of the horizon, from 0 to 1, in which boxes are not apart.
+// The range of m, within [0, 1], in which two boxes may overlap. It is empty if enter > leave.
 struct Overlap
 {
     double enter = 0, leave = 1;
 
-    // Two sides are apart as long as gap + m slope > 0.
+    // Two sides are apart while gap + m slope > 0.
     void narrow(double gap, double slope)
     {
         if (gap > 0)
@@ -30,7 +29,7 @@ struct Overlap
     }
 };
 
-// Where the envelope is later on, and what rounding may have moved it.
+// The envelope from time t on. Its deviation includes the rounding error of the shift.
 Envelope advanced(const Envelope &envelope, double t)
 {
     Envelope later = envelope.advanced(t);

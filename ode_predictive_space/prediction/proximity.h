@@ -1,5 +1,4 @@
-// The time of proximity of two envelopes (Vogiannou et al., equations 1 to 6, with two corrections): of their bounding spheres, and
-// of their boxes.
+// The time of proximity of two envelopes, by spheres and by boxes (Vogiannou et al., equations 1 to 6, with two corrections).
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_PROXIMITY_H
@@ -11,43 +10,40 @@
 namespace ode_predictive_space
 {
 /// First m >= 0 at which A m^2 + 2 B m + C <= 0, or none.
-///
-/// C <= 0 gives 0. Otherwise, with D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B: for every sign of
-/// A and B, also for A = 0. It does not cancel, except when B > 0, where a root needs A < 0; there the same root is
-/// (B + sqrt(D)) / -A. Anything that is not a number gives 0: nothing is known to be apart.
+/// C <= 0 gives 0. Otherwise, with D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B, for every sign of
+/// A and B, also for A = 0. This form cancels only for B > 0. A root then needs A < 0 and is computed as
+/// (B + sqrt(D)) / -A. NaN gives 0: nothing is known to be apart.
 std::optional<double> first_root(double A, double B, double C);
 
-/// The paper's P(m) = A m^2 + 2 B m + C over a horizon, m = t / duration (equation 6): the squared distance of two paths'
-/// chords less the square of what proximity allows them.
+/// The paper's P(m) = A m^2 + 2 B m + C over a horizon, m = t / duration (equation 6): the squared distance between the chords
+/// of two paths, less the square of the distance at which the objects may be near.
 struct ProximityPolynomial
 {
     double A, B, C;
     double at(double m) const { return (A * m + 2 * B) * m + C; }
 };
 
-/// P(m) of two envelopes' bounding spheres; both radii finite. `error` is e, what the chords owe to the paths. P is rounded
-/// down: for m >= 0 it is never above the true one.
+/// P(m) of the bounding spheres of two envelopes, rounded down for m >= 0. @pre both radii are finite.
+/// @param error e, see sphere_chord_error().
 ProximityPolynomial proximity_polynomial(const Envelope &first, const Envelope &second, double duration, double error);
 
 /// The e that makes P(m) <= 0 necessary for proximity: the chord error of the relative path (see chord_error()). It is zero
-/// for two bodies in free fall, and never more than the sum of both paths' own errors.
+/// for two bodies in free fall, and never exceeds the sum of the errors of both paths.
 double sphere_chord_error(const Envelope &first, const Envelope &second, double duration);
 
-/// Earliest time in [0, duration] at which the bounding spheres, grown by the deviations, may touch; `duration` >= 0.
-///
-/// Never late: before it, they are apart as long as both objects keep to their envelopes. None: apart until `duration`, that
-/// included. A pair of which one radius is infinite, or anything not a number, is near at once.
+/// Earliest time in [0, duration] at which the bounding spheres, grown by the deviations, may touch; `duration` >= 0. Before
+/// it, the spheres are apart while both objects stay in their envelopes.
+/// @return none if the spheres are apart over all of [0, duration]; 0 if a radius is infinite or any value is NaN.
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
-/// The same of the boxes: equation 1 by slabs, per axis |distance| <= half extents + R(t), over the chords of equation 6 and lowered
-/// by the whole chord error (docs/how_it_works.md). A side that is infinite or not a number is near.
+/// As sphere_time_of_proximity(), for boxes: equation 1 by slabs, |distance| <= half extents + R(t) along each axis, over
+/// chords (equation 6) with the whole chord error of the axis. A side that is infinite or NaN never proves boxes apart.
 std::optional<double> box_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 
-/// One of the two above.
 using TimeOfProximity = std::optional<double>(const Envelope &first, const Envelope &second, double duration);
 
-/// The same time, later, where paths bend: a horizon in which the two may be near is halved up to so many times. With each halving,
-/// the chord error is a quarter of what it was.
+/// Refines `time` for relative paths that bend: halves a horizon in which the two may be near, up to `halvings` times. Each
+/// halving divides the chord error by four, so the result may be later, or none, but is still never late.
 std::optional<double> time_in_halves(TimeOfProximity &time, const Envelope &first, const Envelope &second,
                                      double duration, int halvings);
 } // namespace ode_predictive_space

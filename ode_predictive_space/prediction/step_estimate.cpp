@@ -14,7 +14,7 @@ void StepEstimate::add(const Vector3 &displacement, const Vector3 &velocity_befo
     const double sample = displacement.dot(mean) / (speed_squared * ticks);
     if (!(change_squared < 0.25 * speed_squared) || !std::isfinite(sample) || !(sample > 0))
         return;
-    // A sample close to the median cannot change the median by more than their difference.
+    // A sample close to the median changes the median by at most their difference.
     const bool agrees = count_ == remembered && std::abs(sample - step_) <= 1e-6 * step_;
     samples_[next_] = sample;
     next_ = (next_ + 1) % remembered;

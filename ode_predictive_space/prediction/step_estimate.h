@@ -1,4 +1,4 @@
-// The step size of the program, estimated: ODE does not tell it to a space.
+// An estimate of the program's step size, which ODE does not pass to a space.
 
 #ifndef ODE_PREDICTIVE_SPACE_PREDICTION_STEP_ESTIMATE_H
 #define ODE_PREDICTIVE_SPACE_PREDICTION_STEP_ESTIMATE_H
@@ -9,20 +9,16 @@
 
 namespace ode_predictive_space
 {
-/// The step size, estimated as the median of samples displacement / velocity.
-///
-/// Before the first sample it is an ordinary step: a path ends after a way, not after a time, so that an envelope depends little on it.
-///
-/// A bounce or a teleport gives a sample that is far off, which the median ignores. When the program changes its step size, the
-/// median follows as soon as most of the remembered samples agree.
+/// The median of the last samples displacement / velocity. It ignores outliers, such as a bounce or a teleport. The value
+/// before the first sample matters little: a path ends after a distance, not after a time.
 class StepEstimate
 {
 public:
     /// The step in units of the velocities' time per tick (seconds, when velocities are per second).
     double step() const { return step_; }
 
-    /// Adds a sample: an object's displacement over `ticks` > 0 ticks, and its velocity at the beginning and at the end. A sample
-    /// is ignored when the object hardly moved or its velocity changed by half or more.
+    /// Adds a displacement over `ticks` > 0 ticks, unless it does not point along the mean velocity, or the velocity changed by
+    /// half of its mean or more.
     void add(const Vector3 &displacement, const Vector3 &velocity_before, const Vector3 &velocity_after, double ticks);
 
 private:

@@ -7,8 +7,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Change of a step from tick to tick, as a part of the longest step, from which it is another motion: a hand and a motor change theirs,
-// too, but smoothly.
+// Change of acceleration in a tick, relative to the longest step, above which a motion ends. Hands and motors change smoothly.
 constexpr double other_motion = 0.1;
 } // namespace
 
@@ -33,7 +32,7 @@ void Track::append(std::uint32_t tick, const SampledPose &pose)
         history_.keep_recent(tick, 0);
 }
 
-// Not a number does not continue.
+// NaN and infinity never continue a motion.
 bool Track::continues() const
 {
     const int count = history_.count();
@@ -64,13 +63,14 @@ Path Track::path() const
     return {last, 0.5 * (3 * last - 4 * before + first), last - 2 * before + first};
 }
 
-// When each of three positions is off by e, their path is off by e (2 t^2 + 4 t + 1). At time 0 the object is where it is.
+// If each of the three positions is off by e, path() is off by at most e (2 t^2 + 4 t + 1). This deviation is 0 at the newest
+// position, and at least that from half a tick on.
 Deviation Track::rounding() const
 {
     return {0, 6 * rounding_, 2 * rounding_};
 }
 
-// When R turns to Q R, the end of a lever moves by |Q - 1| at most, which the Frobenius norm of Q R - R gives, less a factor.
+// When R becomes Q R, a point at distance 1 moves by at most |Q - 1|, the Frobenius norm of Q R - R divided by sqrt(2).
 double Track::turning() const
 {
     const double last = (rotations_[0] - rotations_[1]).squaredNorm(),

@@ -11,44 +11,41 @@
 
 namespace ode_predictive_space
 {
-/// Where an object is, and how it is turned.
 struct SampledPose
 {
     Vector3 pivot;            ///< the point that the object turns about
-    Eigen::Matrix3d rotation; ///< always the same when turning changes nothing of the object
-    double rounding;          ///< a bound of the rounding error of a coordinate of the pivot
-    bool is_rigid;            ///< a later pose moves all points of the object with the pivot
+    Eigen::Matrix3d rotation; ///< constant if the object is the same in all orientations
+    double rounding;          ///< upper bound of the rounding error of a coordinate of the pivot
+    bool is_rigid;            ///< pivot and rotation determine the place of all points; otherwise no motion is known
 };
 
-/// Consecutive poses of one motion: per tick, the pivot is a polynomial of second degree, and the turning is constant.
-///
-/// Three poses determine such a motion. A fourth that does not agree with them begins another motion.
+/// Consecutive poses of one motion: the pivot follows a polynomial of second degree, and the rotation per tick is constant.
+/// Three poses determine such a motion. A further pose that does not agree with it begins a new motion.
 class Track
 {
 public:
     static constexpr int needed = 3;
 
-    /// Adds the pose of a tick, in which the object has moved. A second pose of the same tick replaces the first; after a gap a new
-    /// motion begins.
+    /// A second pose for the same tick replaces the first. After a tick without a pose, a new motion begins.
     void add(std::uint32_t tick, const SampledPose &pose);
 
-    /// The object has not moved since the last pose.
+    /// Adds the last pose again, for a tick in which the object has not moved.
     void repeat(std::uint32_t tick) { append(tick, {history_.before_newest(0), rotations_[0], rounding_, true}); }
 
     bool has_begun() const { return history_.count() > 0; }
     bool is_known() const { return history_.count() >= needed; }
-    /// Are the last poses equal? Then the object rests.
+    /// The last three poses are equal.
     bool rests() const;
 
-    /// The path through the last three positions; its time 0 is the time of the newest.
+    /// The path through the last three positions, with time 0 at the newest. @pre is_known().
     Path path() const;
-    /// The path that fits all positions of the motion best, up to eight.
+    /// The least-squares path through the last positions of the motion, up to eight.
     Path fitted() const { return history_.fit().path; }
 
-    /// How far rounding may put the object off path(), beside its newest position.
+    /// Deviation from path() that rounding of the positions can cause.
     Deviation rounding() const;
 
-    /// How far the end of a lever of length 1 moves in a tick by turning, at most.
+    /// Upper bound of the distance by which rotation moves a point at distance 1 from the pivot, per tick.
     double turning() const;
 
 private:

@@ -1,4 +1,4 @@
-// Access of threads to a predictive space: one of them ticks, and several may ask it at once while questions only read.
+// Thread access to a predictive space: one thread ticks; several may query at once while their queries only read.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ACCESS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ACCESS_H
@@ -12,7 +12,7 @@ namespace ode_predictive_space
 class Access
 {
 public:
-    /// A thread's turn to tick, callbacks included. Refused while another thread has it; a callback may collide the space again.
+    /// Permission to tick and call back. It is refused while another thread ticks, and granted to callbacks of the same thread.
     class Turn
     {
     public:
@@ -38,7 +38,7 @@ public:
         bool taken_, granted_;
     };
 
-    /// While it lives the broad phase changes. A callback for bounding boxes that asks the space meanwhile is refused.
+    /// Marks a change of the broad phase by its lifetime. Queries by the aabb function of a user class are refused meanwhile.
     class Work
     {
     public:
@@ -53,19 +53,18 @@ public:
 
     bool works() const { return works_.load(std::memory_order_relaxed); }
 
-    /// Nothing has been added, moved or set since the broad phase was last brought up to date. True at most questions: these only
-    /// read, so that several threads may ask at once. A question counts itself in lock_count before it reads this.
+    /// Nothing was added, moved or set since the last update, so a query only reads. It raises lock_count before it reads this.
     bool is_caught_up() const { return caught_up_.load(std::memory_order_seq_cst); }
     void note_caught_up(bool is_caught_up) { caught_up_.store(is_caught_up, std::memory_order_release); }
     void forget_catching_up() { caught_up_.store(false, std::memory_order_relaxed); }
 
-    /// Held by a question that writes: other threads' questions that write wait.
+    /// Held by a query that writes.
     std::recursive_mutex upkeep;
 
 private:
     std::atomic<bool> caught_up_{false};
     std::atomic<bool> works_{false};
-    std::atomic<std::thread::id> ticking_thread_{}; // in dSpaceCollide(), callbacks included
+    std::atomic<std::thread::id> ticking_thread_{}; // the one in dSpaceCollide(), callbacks included
 };
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// The public C functions. Arguments are checked here and nowhere else.
+// The public C functions. Their arguments are checked here and nowhere else.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ bool refuse(const char *function, const char *argument, const char *reason)
     return false;
 }
 
-// The predictive space behind a handle, or 0 after a message.
+// The predictive space behind a handle, or null after a message.
 dxPredictiveSpace *checked_space(const char *function, dSpaceID space)
 {
     if (!space)

@@ -5,7 +5,7 @@
 
 namespace ode_predictive_space
 {
-/// A set of objects that knows how many it has: whether it is empty is asked at every tick and every question.
+/// A set that counts its objects, because every tick and every query checks whether it is empty.
 class CountedIdSet
 {
 public:

@@ -16,7 +16,6 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
     return time_of_proximity(pair, broadphase_.forecast(now, pair.first, ticks_), now, apart_until);
 }
 
-// Answers of the shape test are about shapes.
 void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene &now)
 {
     if (!by_shape())
@@ -28,7 +27,6 @@ void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene
     broadphase_.follow_shapes(now, wanted);
 }
 
-// @param first the forecast of the pair's first object.
 std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, const Forecast &first,
                                                            GeomScene &now, double *apart_until)
 {
@@ -68,7 +66,7 @@ std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *
         if (time)
             times.emplace_back(*time, other);
     }
-    std::sort(times.begin(), times.end()); // at one time by number: never by address
+    std::sort(times.begin(), times.end()); // equal times are ordered by number, never by address
     std::vector<Encounter> met;
     for (const auto &[time, id] : times)
         met.push_back({geoms_[id], time});

@@ -13,11 +13,10 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Relative round-off. Rotation matrices are not exactly orthonormal, so that a turned box may stick out of its sphere; and two
-// spheres that touch according to dCollide() may be slightly apart.
+// Relative round-off: rotations are not exactly orthonormal, and spheres that touch by dCollide() may be slightly apart.
 constexpr double tolerance = sizeof(dReal) == sizeof(double) ? 1e-9 : 1e-5;
 
-// Velocity of the geom's centre; a geom with an offset circles around its body.
+// A geom with an offset circles around its body.
 Vector3 velocity_of(dxGeom *geom)
 {
     if (!dBodyIsEnabled(geom->body))
@@ -31,8 +30,7 @@ Vector3 velocity_of(dxGeom *geom)
     return Vector3(at_centre[0], at_centre[1], at_centre[2]);
 }
 
-// How far the geom's matrix is from a rotation. A sphere is the same for any matrix; and only the direction in a ray's matrix
-// counts, dGeomRaySet() sets no more.
+// A sphere is the same for any matrix; a ray needs only the column of its direction, which is all that dGeomRaySet() sets.
 double skew_of_geom(const dxGeom *geom)
 {
     if (!(geom->gflags & GEOM_PLACEABLE) || geom->type == dSphereClass)
@@ -41,8 +39,7 @@ double skew_of_geom(const dxGeom *geom)
     return geom->type == dRayClass ? std::abs(Vector3(R[2], R[6], R[10]).squaredNorm() - 1) : skew_of(R);
 }
 
-// Distance up to which ODE's colliders may find a contact between geoms that are apart, far from the origin: they compute in
-// ODE's precision.
+// Gap in which ODE's colliders may find a contact: in single precision, they round coordinates far from the origin.
 double rounding_at([[maybe_unused]] const Box &bounds)
 {
     if constexpr (sizeof(dReal) == sizeof(double))
@@ -58,9 +55,7 @@ bool is_finite(const Box &box)
     return box.min().minCoeff() >= -most && box.max().maxCoeff() <= most;
 }
 
-// The sphere of the sphere test. Around the geom's centre, if the class has one that holds the geom in every orientation,
-// otherwise around its bounding box, which must be valid. It follows from the pose, the sizes and the box alone: a pair is reported
-// or not whatever was before.
+// The sphere of the sphere test, by the geom's present state alone: reports do not depend on the past. @pre the box is valid.
 class JudgedSphere
 {
 public:
@@ -73,7 +68,7 @@ public:
         radius_ = std::isfinite(circumscribed) ? circumscribed : 0.5 * bounds_.diagonal().norm();
     }
 
-    // True when anything is NaN or infinite: such a pair is reported. Most pairs touch, and need not be looked at for skew.
+    // True if anything is NaN or infinite: such a pair is reported. Most pairs touch, and save the check of skew.
     bool may_touch(const JudgedSphere &other) const
     {
         const double squared = (centre_ - other.centre_).squaredNorm();
@@ -82,7 +77,6 @@ public:
     }
 
 private:
-    // For the skew of the matrix and for rounding.
     double enlarged() const
     {
         const double skew = skew_of_geom(geom_);
@@ -93,7 +87,7 @@ private:
     const dxGeom *geom_;
     Box bounds_;
     Vector3 centre_ = Vector3::Zero();
-    double radius_ = std::numeric_limits<double>::infinity(); // infinite for geoms that are judged by their boxes
+    double radius_ = std::numeric_limits<double>::infinity(); // stays infinite for geoms that are judged by their boxes
 };
 } // namespace
 
@@ -125,8 +119,8 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin)
     const Vector3 end = begin + double{length} * Vector3(R[2], R[6], R[10]);
     if (!FloatBox::around(Box(begin.cwiseMin(end), begin.cwiseMax(end))).bounded())
         return std::nullopt;
-    // ODE finds a hit on a sphere or a cylinder when a difference of squared distances is not negative. In single precision
-    // this happens up to the root of an epsilon, times the length of the ray, beside it.
+    // ODE finds a hit on a sphere or a cylinder if a difference of squared distances is not negative. In single precision, a
+    // ray can hit what it misses by up to its length times the root of an epsilon.
     constexpr double miss = sizeof(dReal) == sizeof(double) ? 0 : 1e-3;
     return RayProbe(begin, end, miss * length + double{origin.doubt().largest_of_three()});
 }
@@ -139,7 +133,7 @@ bool line_may_touch(dxGeom *ray, const dxGeom *geom)
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
-// Not inlined, as below: most geoms have no offset.
+// Not inlined: most geoms have no offset.
 [[gnu::noinline]] bool turns_safely_at_offset(const dxGeom *geom)
 {
     return CarriedGeom(geom).turns_safely(most_offset);
@@ -198,7 +192,7 @@ Solid solid_of(const dxGeom *geom)
     }
     case dCylinderClass:
     {
-        // In single precision ODE's box is off by more than a tight box allows for: it is the root of a small difference.
+        // In single precision, the error of ODE's box, the root of a small difference, exceeds the margin of a tight box.
         if (sizeof(dReal) < sizeof(double))
             return {};
         const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
@@ -228,7 +222,7 @@ void GeomScene::prefetch_pose(ProxyId id) const
     prefetch_block<sizeof(dxPosR)>(geoms_[id]->final_posr);
 }
 
-// Visits 0 to count - 1. Prefetches for later visits, unless the scene fits into the cache.
+// Prefetches for later visits, unless the scene fits into the cache.
 template <typename Visit, typename... Fetches>
 void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) const
 {
@@ -239,7 +233,6 @@ void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) con
             visit(i);
 }
 
-// By the formula, or the box that ODE computes.
 static void measure_geom(dxGeom *geom, Place &place, const Origin &origin)
 {
     if (geom->type <= dCylinderClass)
@@ -268,7 +261,7 @@ void GeomScene::observe(const ProxyId *ids, std::size_t count, Observation *seen
         prefetch_pose(ids[i]);
         if (const dBodyID body = geoms_[ids[i]]->body)
             prefetch_block<2 * sizeof(dVector3)>(
-                dBodyGetLinearVel(body)); // behind it, the angular velocity, of a geom with an offset
+                dBodyGetLinearVel(body)); // and the angular velocity behind it, for a geom with an offset
     };
     for_each(
         count, [&](std::size_t i) { seen[i] = observation(ids[i], origin); },
@@ -298,7 +291,7 @@ Box GeomScene::bounds(ProxyId id)
     return to_box(valid_aabb(geoms_[id]));
 }
 
-// The point that the geom turns around; finite, or none when that is not known.
+// None if the point is unknown or not finite.
 static std::optional<Vector3> pivot_of(dxGeom *geom)
 {
     geom->recomputePosr();
@@ -309,7 +302,7 @@ static std::optional<Vector3> pivot_of(dxGeom *geom)
     return centre.allFinite() ? std::optional(centre) : std::nullopt;
 }
 
-// A geom follows its body, which its offset turns about. Planes and spaces have no position.
+// A geom with a body has the pose of the body, about which its offset turns. Planes and spaces have no position.
 SampledPose GeomScene::pose(ProxyId id)
 {
     dxGeom *geom = geoms_[id];

@@ -1,4 +1,4 @@
-// ODE's geoms as the broad phase sees them. In: numbers of objects. Out: positions, boxes and motion of their geoms.
+// ODE's geoms as objects of the broad phase. In: numbers of objects. Out: positions, boxes and motion of their geoms.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
@@ -16,15 +16,13 @@
 
 namespace ode_predictive_space
 {
-/// Radius of the sphere around the position of a sphere, box, capsule or cylinder that holds the geom if its matrix is a rotation;
-/// infinite for other classes.
+/// Radius of a sphere around the position of a sphere, box, capsule or cylinder that holds it by any rotation; else infinite.
 double circumscribed_radius(const dxGeom *geom);
 
-/// A geom whose pose is known, and whose bounding box follows from its pose by a formula that ODE shares.
+/// Formula and sizes of the bounding box from the pose, as in ODE: spheres, boxes, capsules, in double precision cylinders.
 Solid solid_of(const dxGeom *geom);
 
-/// The sizes of a sphere, box, capsule or cylinder. They lie right behind the members that all geoms have (ode_mismatch() checks
-/// this), and can be read without knowing the geom's class.
+/// The sizes of a sphere, box, capsule or cylinder, which follow the members of dxGeom (ode_mismatch() checks this).
 static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is between them");
 inline const dReal *sizes_of(const dxGeom *geom)
 {
@@ -33,7 +31,7 @@ inline const dReal *sizes_of(const dxGeom *geom)
 
 bool turns_safely_at_offset(const dxGeom *geom);
 
-/// Does the geom turn about its position? Then a bounding sphere that was measured earlier still holds it.
+/// Does the geom turn about its position, so that a bounding sphere measured earlier still holds it?
 inline bool turns_safely(const dxGeom *geom)
 {
     if (geom->offset_posr)
@@ -41,7 +39,7 @@ inline bool turns_safely(const dxGeom *geom)
     return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
 }
 
-/// Does a geom with these flags take part in collisions? It must be enabled and have a size.
+/// Is a geom with these flags enabled, and has it a size?
 inline bool enabled(int flags)
 {
     return (flags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
@@ -56,14 +54,13 @@ inline bool both_enabled(const dxGeom *one, const dxGeom *other)
     return (off & GEOM_ENABLE_TEST_MASK) == 0;
 }
 
-/// The flags of a geom whose bounding box another thread may be computing. When they say that the box is good, it can be read.
+/// The flags of a geom whose bounding box another thread may be computing. Without GEOM_AABB_BAD, the box can be read.
 inline int flags_beside_others(const dxGeom *geom)
 {
     return __atomic_load_n(&geom->gflags, __ATOMIC_ACQUIRE);
 }
 
-/// Computes the bounding box if it is bad, as dxGeom::recomputeAABB() does; flags_beside_others() tells other threads when it is
-/// done. Only one thread at a time may do this for a geom.
+/// Computes a bad bounding box, and publishes the new flags to flags_beside_others(). At most one thread at a time per geom.
 inline void compute_box_beside_others(dxGeom *geom)
 {
     if (!(geom->gflags & GEOM_AABB_BAD))
@@ -74,37 +71,36 @@ inline void compute_box_beside_others(dxGeom *geom)
     __atomic_store_n(&geom->gflags, geom->gflags & ~(GEOM_POSR_BAD | GEOM_AABB_BAD), __ATOMIC_RELEASE);
 }
 
-/// The bounding box, valid also for spaces whose geoms have moved. Only one thread at a time may do this for a geom.
+/// The bounding box, computed if necessary, also of a space with moved geoms. At most one thread at a time per geom.
 const dReal *valid_aabb(dxGeom *geom);
 
-/// Can the geom be touched outside of a sphere around its bounding box? ODE makes contacts with a heightfield beside and below
-/// its edge, too; a space or a transform may hold a heightfield; and user classes are unknown.
+/// Can the geom be touched outside a sphere around its bounding box? ODE also makes contacts beside and below the edge of a
+/// heightfield, which a space or a transform may contain; user classes are unknown.
 bool judged_by_box_alone(const dxGeom *geom);
 
-/// Is the matrix of a geom other than a sphere no rotation? The pose must be valid.
+/// Is the geom's matrix no rotation? Always false for spheres and planes. @pre the pose is valid.
 bool is_skewed(const dxGeom *geom);
 
-/// Can a ray touch the geom without meeting its bounding box? Besides the classes above this holds for convexes: ODE computes
-/// the contact from the distance to a face, as if the ray were perpendicular to it; and for geoms whose matrix is no rotation.
+/// Can a ray touch the geom without meeting its bounding box? It can if the geom is judged_by_box_alone() or is_skewed(), and
+/// if it is a convex: ODE computes that contact from the distance to a face, as if the ray were perpendicular to it.
 bool touched_off_line(const dxGeom *geom);
 
-/// The line of a ray from the origin; none when it is not finite.
+/// The line of a ray, relative to the origin; none if it is not finite.
 std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin);
 
-/// Can this ray touch the geom? The boxes must be valid.
+/// @pre the boxes are valid.
 bool line_may_touch(dxGeom *ray, const dxGeom *geom);
 
-/// Can a ray touch the geom? Any other probe can. The boxes must be valid.
+/// @pre the boxes are valid.
 inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
 {
     return probe->type != dRayClass || line_may_touch(probe, geom);
 }
 
-/// Do the spheres of the sphere test overlap? The boxes must be valid.
+/// The sphere test of proximity, without the boxes; true for pairs that only boxes can judge. @pre the boxes are valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);
 
-/// Do the bounding boxes, which must be valid, overlap? The comparisons are those of ODE's collideAABBs(), so that touching
-/// and NaN mean the same.
+/// Compares as ODE's collideAABBs(), so that touching boxes and NaN give the same result. @pre the boxes are valid.
 inline bool aabbs_overlap(const dxGeom *one, const dxGeom *other)
 {
     const dReal *a = one->aabb, *b = other->aabb;
@@ -116,14 +112,12 @@ inline Box to_box(const dReal aabb[6])
     return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
 }
 
-/// The geoms of a space, by number.
 class GeomScene : public Scene
 {
 public:
-    /// @param geoms by number; must stay where they are as long as the scene is used.
-    /// @param hulls of convexes, meshes and heightfields.
-    /// @param steps that may be made for these; see HullMaker::go_on().
-    /// @param by_sphere a pair overlaps only when the bounding spheres overlap, too.
+    /// @param geoms by number; the array must not move while the scene is used.
+    /// @param steps available for making hulls; see HullMaker::go_on().
+    /// @param by_sphere pairs overlap only if their bounding spheres overlap, too.
     GeomScene(const std::vector<dxGeom *> &geoms, HullStore &hulls, std::size_t steps, bool by_sphere)
         : geoms_(geoms.data()), hulls_(hulls), steps_left_(steps),
           overflows_cache_(geoms.size() > tuning::cached_objects), by_sphere_(by_sphere)
@@ -140,7 +134,7 @@ public:
     bool is_excluded(ProxyId first, ProxyId second) override;
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
-    /// Do the geoms overlap by the test of proximity of the space?
+    /// Do the bounding boxes overlap and, if the scene is by sphere, the spheres of the sphere test, too?
     bool overlap(dxGeom *one, dxGeom *other) const
     {
         compute_box_beside_others(one);
@@ -148,7 +142,7 @@ public:
         return aabbs_overlap(one, other) && (!by_sphere_ || spheres_overlap(one, other));
     }
 
-    /// Prefetches for reading a bounding box soon: call both in this order, some time apart.
+    /// Prefetch a geom and, some time later, its pose, before its bounding box is read.
     void prefetch_geom(ProxyId id) const;
     void prefetch_pose(ProxyId id) const;
 

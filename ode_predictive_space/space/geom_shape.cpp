@@ -9,11 +9,10 @@ namespace ode_predictive_space
 {
 namespace
 {
-// By a sphere's growth its gaps become less and the margin, which is a small part of its size, becomes more: by 1/1000 and, beside
-// the thinnest slivers that are judged by shape, twice that.
+// The growth of a sphere's radius reduces its gaps, and enlarges the margin by less than a hundredth of the growth.
 constexpr double growth_and_margin = 1.01;
 
-// Roundings of ODE's that are allowed for.
+// ODE's roundings that slacks allow for.
 constexpr double rounded_places = 16;
 
 constexpr std::uint16_t group_of(int type)
@@ -53,26 +52,26 @@ std::uint16_t partners_of(int type)
     return is_solid ? (solids | planes | heightfields) & ~libccd_partners_of(type) : solids;
 }
 
-// Beside triangles, ODE leaves out directions in which a capsule may be separated, if a product of lengths is below 0.001. Its ends
-// are as good as flat then. When it keeps the triangles of the last tick, or leaves out some directions for good because of the
-// flags of edges, a capsule is touched in all of its box. Of a cylinder it leaves out directions below 0.00001.
+// Beside triangles, ODE skips separating directions of a capsule if a product of lengths is below 0.001, of a cylinder if it is
+// below 0.00001. The ends of a capsule are then practically flat. If ODE keeps the triangles of the last tick, or skips
+// directions because of edge flags, a capsule is touched anywhere in its box.
 constexpr double left_out_of_capsule = 1e-3, left_out_of_cylinder = 1e-5;
 
-// Beside another mesh, a triangle is taken for coplanar with a point when a distance, times the length of its normal, is below
-// 0.000001. The normal is not of length 1.
+// Beside another mesh, ODE treats a triangle as coplanar with a point if their distance, times the length of the triangle's
+// normal, which is not 1, is below 0.000001.
 constexpr double coplanar = 1e-6;
 
 // OPCODE computes the normal of a triangle in single precision, as the product of two sides. Its direction is off by up to 3.5
-// roundings, times the aspect ratio of the triangle, and its plane, where the other shape is, by that part of the distance from a
-// corner. The distance is no more than twice the sum of both shapes' half sides. For aspect ratios of 2, rounded_places hold. ODE
-// solves for the point of a triangle that is nearest to a sphere by a determinant: in its own single precision, by the square.
+// roundings times the aspect ratio of the triangle, and its plane, at the other shape, by that part of the distance from a
+// corner, which is at most twice the sum of both shapes' half sides. rounded_places cover aspect ratios up to 2. ODE finds the
+// nearest point of a triangle to a sphere by a determinant, whose error in single precision grows with the square of the ratio.
 double sliver_factor_of(const DataHull &hull)
 {
     const double factor = std::max(1.0, hull.aspect / 2);
     return sizeof(dReal) == sizeof(double) ? factor : factor * factor;
 }
 
-// With thinner ones, a mesh is judged by its box, but beside planes.
+// A mesh with thinner slivers is judged by shape only beside planes and heightfields.
 constexpr double most_sliver_factor = 1000;
 
 bool blunts_capsules_only(dGeomID mesh)
@@ -81,13 +80,12 @@ bool blunts_capsules_only(dGeomID mesh)
            dGeomTriMeshDataGet2(dGeomTriMeshGetData(mesh), dTRIMESHDATA_USE_FLAGS, nullptr) == nullptr;
 }
 
-// Beside a heightfield, ODE goes by the box of a mesh.
+// Beside a heightfield, ODE uses the box of a mesh.
 bool has_old_box(const ConvexShape &mesh)
 {
     return static_cast<const DataHull &>(*mesh.hull).has_old_box;
 }
 
-// With whom the geom is judged by its shape, and how.
 void take_partners(dxGeom *geom, ConvexShape &shape)
 {
     shape.group = group_of(geom->type);
@@ -105,14 +103,14 @@ void take_partners(dxGeom *geom, ConvexShape &shape)
         shape.partners &= static_cast<std::uint16_t>(~heightfields);
 }
 
-// ODE has no pose for geoms that cannot be placed.
+// Geoms that cannot be placed have no pose in ODE.
 const dxPosR &pose_of(const dxGeom *geom)
 {
     static const dxPosR none = {{0, 0, 0, 0}, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
     return geom->gflags & GEOM_PLACEABLE ? *geom->final_posr : none;
 }
 
-// False when the matrix is no rotation, or the place is too far away.
+// @return false if the matrix is no rotation, or the position is too far away.
 bool take_pose(dxGeom *geom, ConvexShape &shape)
 {
     geom->recomputePosr();
@@ -199,7 +197,6 @@ bool take_all(dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexS
     return take_form(geom, hull, shape) && take_pose(geom, shape);
 }
 
-// Is the shape what it was, but for its pose?
 bool keeps_form(dxGeom *geom, const ConvexShape &shape)
 {
     if (shape.group != group_of(geom->type) || (geom->gflags & GEOM_ZERO_SIZED))
@@ -230,7 +227,7 @@ ConvexShape shape_of(dxGeom *geom, const std::shared_ptr<const DataHull> &hull)
     ConvexShape shape;
     if (!take_all(geom, hull, shape))
         return {};
-    // Sizes beside meshes are in single precision.
+    // Beside meshes, ODE rounds sizes to single precision.
     const Vector3 offset = shape.hull ? shape.hull->centre() : Vector3::Zero();
     shape.slack = rounded_places * double{std::numeric_limits<float>::epsilon()} *
                   (shape.half_sides.lpNorm<1>() + shape.radius + offset.lpNorm<1>());

@@ -1,12 +1,12 @@
-// The beginning of a hash space, for spaces that stand in for one.
+// The first members of a hash space, for spaces that replace one.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_HASH_LEVELS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_HASH_LEVELS_H
 
 #include "ode_predictive_space/space/ode_internals.h"
 
-/// dHashSpaceGetLevels() and dHashSpaceSetLevels() expect these two members right behind those of dxSpace, with the values that a
-/// new hash space has. Nothing else reads them.
+/// Only dHashSpaceGetLevels() and dHashSpaceSetLevels() read the members, which they expect directly after those of dxSpace.
+/// The values are those of a new hash space.
 struct dxSpaceWithHashLevels : public dxSpace
 {
     int global_minlevel = -3;

@@ -16,7 +16,7 @@ dReal known_height(void *, int column, int)
     return static_cast<dReal>(column);
 }
 
-// Data with a value of its own in every member that is read.
+// Builds data with a distinct value in every member that is read.
 bool heightfields_are_as_expected()
 {
     constexpr int columns = 3, rows = 5;

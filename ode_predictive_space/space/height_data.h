@@ -1,4 +1,4 @@
-// What a heightfield is made of: its samples, their distances and scale. ODE has no function that tells.
+// Access to the samples, spacing and scale of a heightfield, for which ODE has no function.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_HEIGHT_DATA_H
 #define ODE_PREDICTIVE_SPACE_SPACE_HEIGHT_DATA_H
@@ -10,7 +10,7 @@
 
 namespace ode_predictive_space
 {
-/// ODE's data of a heightfield, in ODE 0.16. Members that are not used here keep their place.
+/// ODE's heightfield data, laid out as in ODE 0.16, with unused members.
 struct HeightSamples
 {
     static constexpr int contacts_per_cell = 10;
@@ -24,18 +24,18 @@ struct HeightSamples
         of_doubles
     };
 
-    dReal width, depth; ///< of all cells
+    dReal width, depth; ///< extents of all cells together
     dReal cell_x, cell_z;
     dReal aspect, inverse_x, inverse_z, half_width, half_depth;
     dReal lowest, highest;
     dReal thickness;
-    dReal scale, offset; ///< a height is a sample times the scale, and the offset
-    int columns, rows;   ///< of samples
+    dReal scale, offset; ///< height = sample * scale + offset
+    int columns, rows;   ///< numbers of samples
     int owns_samples;
     int repeats;
     int source;
     const void *samples;
-    void *user_data; ///< of the callback
+    void *user_data; ///< argument of the callback
     dContactGeom contacts[contacts_per_cell];
     dHeightfieldGetHeight *get_height;
 
@@ -44,10 +44,10 @@ struct HeightSamples
     double height(int column, int row) const { return sample(column, row) * double{scale} + double{offset}; }
 };
 
-/// The data of a heightfield; null when it has none or when the ODE in this process keeps it in another way.
+/// The data of a heightfield; null without data, or if the ODE in this process has another layout.
 const HeightSamples *height_data_of(dGeomID heightfield);
 
-/// The data themselves, likewise.
+/// Access to data by their handle, with the same exceptions.
 HeightSamples *writable_height_data(dHeightfieldDataID data);
 } // namespace ode_predictive_space
 

@@ -15,7 +15,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr std::size_t steps_per_triangle = 3, steps_per_point = 13; // to read it, and to make it a part of a hull
+constexpr std::size_t steps_per_triangle = 3, steps_per_point = 13; // to read a triangle, and to add a point to a hull
 
 template <typename T> std::uint64_t word(T *pointer)
 {
@@ -39,7 +39,7 @@ DataKey key_of(const dxConvex *convex)
     return {word(convex->points), convex->pointcount, word(convex->planes), convex->planecount, word(convex->polygons)};
 }
 
-// The address is that of ODE's data, which have a box each, also where several have arrays in common.
+// The address of ODE's data is included, because data that share arrays still have separate boxes.
 DataKey key_of(const TriangleArrays &mesh)
 {
     return {word(mesh.vertices),  mesh.vertex_count,   word(mesh.vertex_stride) << 1 | mesh.single,
@@ -60,7 +60,7 @@ DataKey key_of(const HeightSamples &heights)
             word(double{heights.offset})};
 }
 
-// ODE keeps the box of a mesh's data from when they were built. It is the bounding box of a geom that has not been moved.
+// The box that ODE stores when a mesh's data are built. It is the bounding box of an unmoved geom.
 Box kept_box(dGeomID mesh)
 {
     const dGeomID unplaced = dCreateTriMesh(nullptr, dGeomTriMeshGetData(mesh), nullptr, nullptr, nullptr);
@@ -76,7 +76,7 @@ bool has_old_box(dGeomID mesh, const Box &box)
     return !Box(box.min() - slack, box.max() + slack).contains(kept_box(mesh));
 }
 
-// The corners of the grid, at no height: it lies around the origin. None of one without cells, or with too many.
+// Adds opposite corners of the grid, which is centred at the origin; none if it has no cells, or too many samples.
 void add_corners(const HeightSamples &heights, PointCloud &points)
 {
     if (heights.columns < 2 || heights.rows < 2 || heights.columns > tuning::most_heights / heights.rows)
@@ -92,7 +92,7 @@ void add_points(const dxConvex &convex, PointCloud &points)
         points.add(Vector3(convex.points[3 * i], convex.points[3 * i + 1], convex.points[3 * i + 2]));
 }
 
-// The data themselves may be destroyed before all heights are read, when others with the same samples are there.
+// Copies the data's members, because ODE's data may be destroyed before all heights are read, if other data share the samples.
 std::shared_ptr<Surface> grid_of(const HeightSamples &heights)
 {
     return std::make_shared<HeightGrid>(heights.size(),
@@ -166,7 +166,7 @@ std::size_t MeshReader::read(std::size_t steps, PointCloud &points)
     return steps;
 }
 
-// Triangles whose corners coincide count for the least normal only: to ODE, they are never touched by other shapes than meshes.
+// Triangles with coinciding corners count only for the least normal: in ODE, no shapes but meshes touch them.
 void MeshReader::read_triangle()
 {
     for (std::uint32_t index : mesh_.indices(triangle_))

@@ -13,7 +13,7 @@ HullStore::Found HullStore::hull_of(ProxyId id, dxGeom *geom, std::size_t &steps
         return {own.hull};
     if (steps == 0 && !(own.maker && own.maker->is_done()))
         return {nullptr, true};
-    std::unique_ptr<HullMaker> maker = std::move(own.maker); // when memory runs out it is lost, and what it has begun
+    std::unique_ptr<HullMaker> maker = std::move(own.maker); // if memory runs out, the maker is lost with its work
     if (!maker || maker->key() != key)
         maker = std::make_unique<HullMaker>(geom, key);
     steps = maker->go_on(steps);
@@ -35,7 +35,7 @@ std::shared_ptr<const DataHull> HullStore::known(const DataKey &key) const
     return hull && !hull->outdated ? hull : nullptr;
 }
 
-// Removes those that are not used any more whenever the number has doubled.
+// Removes unused hulls whenever the number of hulls has doubled.
 void HullStore::add(const std::shared_ptr<DataHull> &hull)
 {
     if (hulls_.size() >= 2 * used_)
@@ -54,7 +54,7 @@ bool HullStore::is_outdated(dxGeom *geom, const VertexHull &hull)
     return made.outdated || made.key != key_of(geom);
 }
 
-// Also those of other data that are read from the same array.
+// Includes hulls of other data that are read from the same array.
 void HullStore::outdate(dxGeom *geom)
 {
     const std::uint64_t array = key_of(geom).front();

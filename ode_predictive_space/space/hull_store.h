@@ -1,4 +1,4 @@
-// The convex hulls of convexes and meshes, and the ground of heightfields: one for all geoms that are made of the same data.
+// The hulls of convexes, meshes and heightfields: one for all geoms with the same data.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_HULL_STORE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_HULL_STORE_H
@@ -13,30 +13,27 @@
 
 namespace ode_predictive_space
 {
-/// A hull lives as long as it is kept for a geom, or a shape has it.
+/// A hull lives while it is kept for a geom or used by a shape.
 class HullStore
 {
 public:
-    /// None of other classes, and of data that cannot be read; nor while it is being made.
     struct Found
     {
-        std::shared_ptr<const DataHull> hull;
+        std::shared_ptr<const DataHull> hull; // null for other classes, for unreadable data, and while it is being made
         bool is_being_made = false;
     };
 
-    /// The hull of a convex or mesh. Of a heightfield the rectangle around its grid, with that as the surface. It is kept for the geom,
-    /// so that it is there when the geom is near others again. Where it is not known it is made, as far as the steps go.
-    ///
-    /// @param steps see HullMaker::go_on(). Those that are left are given back.
+    /// The hull of a convex, mesh or heightfield (the rectangle of its grid), kept for the geom until release(). An unknown
+    /// hull is made, as far as the steps suffice. @param steps see HullMaker::go_on(); replaced by the unused ones.
     Found hull_of(ProxyId id, dxGeom *geom, std::size_t &steps);
 
-    /// Is the geom made of other data than its hull, which hull_of() gave?
+    /// Has the geom other data now than `hull`, which hull_of() returned?
     static bool is_outdated(dxGeom *geom, const VertexHull &hull);
 
-    /// The data of a geom may have been changed in place: hulls of these are made anew.
+    /// Discards the hulls of the geom's data, which may have been changed in place.
     void outdate(dxGeom *geom);
 
-    /// The geom is gone, or its data may be others now: changes of the old ones are not reported for it.
+    /// Forgets the hull of a geom that is removed, or may have other data.
     void release(ProxyId id) { geoms_.erase(id); }
     void release_all() { geoms_.clear(); }
 
@@ -46,7 +43,7 @@ private:
     struct OfGeom
     {
         std::shared_ptr<const DataHull> hull;
-        std::unique_ptr<HullMaker> maker; // also of data that cannot be read, so that they are not read again
+        std::unique_ptr<HullMaker> maker; // kept for unreadable data, so that they are not read again
     };
 
     std::shared_ptr<const DataHull> known(const DataKey &key) const;
@@ -54,9 +51,8 @@ private:
 
     std::map<DataKey, std::weak_ptr<DataHull>> hulls_;
     std::map<ProxyId, OfGeom> geoms_;
-    std::size_t used_ =
-        0; // hulls that were in use when expired ones were last removed, and the one that was added then
-    std::uint32_t made_ = 0; // so many hulls
+    std::size_t used_ = 0;   // hulls in use when expired ones were last removed, plus the one added then
+    std::uint32_t made_ = 0; // number of the last hull
 };
 } // namespace ode_predictive_space
 

@@ -12,7 +12,7 @@ const TriangleArrays *laid_out(dTriMeshDataID data)
     return reinterpret_cast<const TriangleArrays *>(data);
 }
 
-// Data of a mesh with a value of its own in every member.
+// Builds mesh data with a distinct value in every member.
 template <typename Real, typename Build> bool is_laid_out_as_expected(Build build)
 {
     constexpr int vertices = 5, vertex_stride = 4 * sizeof(Real), triangles = 2,

@@ -1,4 +1,4 @@
-// What a mesh is made of: where its vertices and triangles are. ODE has no function that tells.
+// Access to the vertices and triangles of a mesh, for which ODE has no function.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_MESH_DATA_H
 #define ODE_PREDICTIVE_SPACE_SPACE_MESH_DATA_H
@@ -9,7 +9,7 @@
 
 namespace ode_predictive_space
 {
-/// The data of a mesh; null when it has none or when the ODE in this process keeps it in another way, as ODE 0.15 does.
+/// The data of a mesh; null without data, or if the ODE in this process has another layout, as ODE 0.15 has.
 const TriangleArrays *mesh_data_of(dGeomID mesh);
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// A geom whose move is being reported, as the broad phase reads it. It has just been written and lies in the cache.
+// A geom at the moment of its notice, when ODE has just written it and it is in the cache.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
 #define ODE_PREDICTIVE_SPACE_SPACE_NOTICED_GEOM_H
@@ -10,10 +10,10 @@
 
 namespace ode_predictive_space
 {
-/// No geom is followed at an offset with larger coordinates.
+/// Largest coordinate of an offset at which a geom is followed.
 constexpr float most_offset = 1e15f;
 
-/// A geom with an offset from its body. Its own pose is computed from those two only where it is needed.
+/// A geom with an offset from its body. ODE computes its pose only on demand.
 class CarriedGeom
 {
 public:
@@ -22,7 +22,8 @@ public:
           offset_(Float4::nearest_of_stored(geom->offset_posr->pos, 1))
     {}
 
-    /// Both matrices may have changed, and the offset may have become longer than a radius allows for.
+    /// Does the sphere of carried() still hold the geom? The matrices or the offset may have changed.
+    /// @param allowed_offset largest coordinate of an offset that the radius allows for.
     bool turns_safely(float allowed_offset) const
     {
         const dMatrix3 &turned = geom_->offset_posr->R;
@@ -30,9 +31,7 @@ public:
                (geom_->type == dSphereClass || is_identity(turned) || lengthens_nothing(turned));
     }
 
-    /// The position of the geom, from the origin.
-    ///
-    /// @pre it turns safely.
+    /// The position of the geom, relative to the origin. @pre turns_safely().
     Float4 centre(const Origin &origin) const
     {
         const Float4 along_x = rotation_.x * offset_.broadcast<0>(), along_y = rotation_.y * offset_.broadcast<1>(),
@@ -40,7 +39,7 @@ public:
         return origin.nearest_of_stored(body_->pos) + ((along_x + along_y) + along_z);
     }
 
-    /// @param radius around the position of the geom. It is enlarged by what may be lost by rounding in the functions above.
+    /// @param radius around the geom's position. The result's radius adds the round-off of centre() and of the matrices.
     Carried carried(double radius, const Origin &origin) const
     {
         const dReal *offset = geom_->offset_posr->pos;
@@ -54,26 +53,26 @@ public:
 
 private:
     const dxGeom *geom_;
-    const dxPosR *body_; // ODE keeps the pose of a body as that of a geom
-    Columns rotation_;   // of the body
+    const dxPosR *body_; // a body's pose has the layout of a geom's (ode_mismatch() checks this)
+    Columns rotation_;   // the body's
     Float4 offset_;
 };
 
-/// The radius that CarriedGeom::carried() has for a geom with an offset; infinite for classes without a circumscribed sphere.
+/// The radius of CarriedGeom::carried(); infinite for classes without a circumscribed sphere. @pre the geom has an offset.
 double radius_at_offset(const dxGeom *geom);
 
-/// What Broadphase::report_at_once() and report_closely() ask.
+/// The object of Broadphase::report_at_once() and report_closely().
 class NoticedGeom
 {
 public:
     explicit NoticedGeom(const dxGeom *geom) : geom_(geom) {}
 
-    /// (The position of a geom with an offset from its body is bad when it has been moved.)
+    /// False for a moved geom with an offset from its body, until ODE computes its pose.
     bool has_pose() const { return (geom_->gflags & GEOM_POSR_BAD) == 0; }
     const dReal *position() const { return geom_->final_posr->pos; }
     const dReal *rotation() const { return geom_->final_posr->R; }
 
-    /// A geom that has a pose, and had no offset when it was looked at, has none now: only its matrix may have changed.
+    /// Only the matrix is checked: a geom that had no offset when it was measured, and has_pose(), has no offset now.
     bool turns_safely() const { return geom_->type == dSphereClass || keeps_within_sphere(rotation()); }
 
     Solid solid() const { return solid_of(geom_); }

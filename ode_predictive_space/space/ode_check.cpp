@@ -31,8 +31,7 @@ int collect_name(dl_phdr_info *object, size_t, void *names)
     return 0;
 }
 
-// The names are collected first and opened afterwards. Opening an object waits for threads that load one, and these wait until
-// the iteration over all objects has ended.
+// No name is opened during the iteration: dlopen() waits for threads that load an object, and these wait for the iteration.
 bool several_copies()
 {
     std::vector<std::string> names;
@@ -40,7 +39,7 @@ bool several_copies()
     std::set<void *> copies;
     for (const std::string &name : names)
     {
-        // The main program has an empty name, for which dlopen wants a null pointer.
+        // The main program has an empty name, for which dlopen() expects a null pointer.
         void *handle = dlopen(name.empty() ? nullptr : name.c_str(), RTLD_LAZY | RTLD_NOLOAD);
         if (!handle)
             continue;
@@ -58,7 +57,7 @@ bool several_copies()
 }
 #endif
 
-// A geom with a value of its own in every member that the public API can set.
+// Builds a geom with a distinct value in every member that the public API can set.
 bool geom_layout_differs(dSpaceID space)
 {
     int data = 0;
@@ -129,8 +128,8 @@ const char *find_mismatch()
 }
 } // namespace
 
-// To look at a space, ODE is asked for one. Under the launcher this may be the first call of the process to ODE, by which the other half
-// of the preload is loaded; it has checked ODE by itself when it makes a predictive space, in the middle of this check.
+// The check creates a space. Under the launcher this may be the process's first call of ODE, which loads the second part of the
+// launcher. That part, after its own check, makes a predictive space during this check: the nested call finds no mismatch.
 const char *ode_mismatch()
 {
     static thread_local bool checking = false;

@@ -3,10 +3,8 @@
 
 namespace ode_predictive_space
 {
-/// Compares the ODE library in this process with the headers that this plugin was compiled with: precision, number of
-/// copies, and the layout of dxGeom and dxSpace. Evaluated once. (As a part of ODE it has been compiled with that library.)
-///
-/// @return 0 when they agree, otherwise a sentence saying what differs (a constant, never to be freed).
+/// Compares the ODE library in this process, once, with this plugin's headers: precision, number of copies, layout. Inside ODE
+/// nothing can differ. @return null if they agree, otherwise a constant string that describes the difference.
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 inline const char *ode_mismatch()
 {

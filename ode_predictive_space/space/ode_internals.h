@@ -1,12 +1,11 @@
-// The one header for ODE's internal classes: our own declarations of them, ode_layout.h, or, compiled as a part of ODE
-// (ODE_PREDICTIVE_SPACE_INSIDE_ODE), ODE's own. There the space has a class number of its own, and nothing can disagree.
+// ODE's internal classes: those of ode_layout.h or, inside ODE (ODE_PREDICTIVE_SPACE_INSIDE_ODE), ODE's own headers.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
 
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
-// As a part of ODE, this is compiled with -fvisibility=hidden: ODE exports every symbol that is not hidden, and neither our
-// symbols nor Eigen's are for programs. The declarations of ODE keep their visibility.
+// Inside ODE, the space is compiled with -fvisibility=hidden, because ODE exports every visible symbol, also ours and Eigen's.
+// ODE's declarations keep their visibility.
 #pragma GCC visibility push(default)
 #include <ode/predictive_space.h>
 
@@ -32,8 +31,8 @@ namespace ode_predictive_space
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 constexpr int class_of_predictive_space = dPredictiveSpaceClass;
 #else
-// The only functions of ODE with a cast for this number are dHashSpaceSetLevels() and dHashSpaceGetLevels(), which find what they
-// expect (hash_levels.h): a program whose hash space is replaced may go on to call them. Colliders are the same for all spaces.
+// Only dHashSpaceSetLevels() and dHashSpaceGetLevels() cast by this number in ODE, and hash_levels.h serves them: a program
+// whose hash space is replaced may still call them. Colliders are the same for all spaces.
 constexpr int class_of_predictive_space = dHashSpaceClass;
 #endif
 } // namespace ode_predictive_space

@@ -1,9 +1,6 @@
-// The part of ODE's inner binary interface that the space uses: our own declarations of its classes, flags and functions.
-//
-// A new kind of dSpace must derive from dxSpace, which ODE declares only in its source. What is declared here lies in memory, is
-// called and is named for the linker as in ODE 0.15 to 0.16.6. What a virtual function is for, and which members there are, is
-// settled by ODE; members that are not used here keep their place. Where ODE's source is at hand, layout_test compares all of
-// this with it; ode_mismatch() checks the ODE in the process.
+// The part of ODE's internal binary interface that the space uses: declarations of its classes, flags and functions. A new kind
+// of dSpace must derive from dxSpace, which ODE declares only in its source. Layout (with unused members), calls and symbols
+// are those of ODE 0.15 to 0.16.6. layout_test compares them with ODE's source; ode_mismatch() checks the ODE in the process.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_LAYOUT_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ODE_LAYOUT_H
@@ -16,8 +13,7 @@
 #include <ode/memory.h>
 #include <ode/objects.h>
 
-// An assertion about what a program asks. As in ODE, it ends the program, is not compiled with dNODEBUG, and complains about a
-// locked space in the same words.
+// Assertions of user errors, as in ODE: they end the program unless dNODEBUG is defined. CHECK_NOT_LOCKED has ODE's message.
 #ifdef dNODEBUG
 #define dUASSERT(condition, message) static_cast<void>(0)
 #else
@@ -27,15 +23,15 @@
 #define dAASSERT(condition) dUASSERT(condition, "bad argument: no " #condition)
 #define CHECK_NOT_LOCKED(space) dUASSERT((space)->lock_count == 0, "Invalid operation for locked space")
 
-// These classes live in ODE's library, also for a program that is compiled with -fvisibility=hidden.
+// The classes are ODE's, so they stay visible in a program that is compiled with -fvisibility=hidden.
 #pragma GCC visibility push(default)
 
-/// Flags of a geom, in dxGeom::gflags.
+/// Bits of dxGeom::gflags.
 enum
 {
     GEOM_DIRTY = 1 << 0,    ///< moved or changed since its space was last brought up to date
-    GEOM_POSR_BAD = 1 << 1, ///< final_posr is to be computed from the body's pose and the offset
-    GEOM_AABB_BAD = 1 << 2, ///< the bounding box is to be computed
+    GEOM_POSR_BAD = 1 << 1, ///< final_posr must be computed from the body's pose and the offset
+    GEOM_AABB_BAD = 1 << 2, ///< the bounding box must be computed
     GEOM_PLACEABLE = 1 << 3,
     GEOM_ENABLED = 1 << 4,
     GEOM_ZERO_SIZED = 1 << 5, ///< without extent: never collides
@@ -44,34 +40,33 @@ enum
     GEOM_ENABLE_TEST_VALUE = GEOM_ENABLED
 };
 
-/// A position and a rotation matrix of three rows of four numbers.
 struct dxPosR
 {
     dVector3 pos;
     dMatrix3 R;
 };
 
-/// Has ODE's objects in ODE's memory: a program may have set the functions for it.
+/// Allocates by ODE's memory functions, which a program may have replaced.
 struct dBase
 {
     static void *operator new(std::size_t size) { return dAlloc(size); }
     static void operator delete(void *memory, std::size_t size) { dFree(memory, size); }
 };
 
-/// What a dGeomID points to. The order of the virtual functions is that of the table of functions.
+/// The object behind a dGeomID. Virtual functions are in the order of ODE's virtual table.
 struct dxGeom : public dBase
 {
-    int type; ///< class number
+    int type;
     int gflags;
-    void *data; ///< the program's own
+    void *data;
     dBodyID body;
     dxGeom *body_next;     ///< list of the body's geoms
-    dxPosR *final_posr;    ///< in the world; a geom's own or its body's
-    dxPosR *offset_posr;   ///< from the body; null for a geom without offset
+    dxPosR *final_posr;    ///< pose in the world; the geom's own or its body's
+    dxPosR *offset_posr;   ///< pose relative to the body; null for a geom without offset
     dxGeom *next;          ///< list of the space's geoms
     dxGeom **tome;         ///< the pointer in this list that points here
-    dxGeom *next_ex;       ///< a second list, or what else the space keeps with the geom
-    dxGeom **tome_ex;      ///< the same for the second list
+    dxGeom *next_ex;       ///< a second list, or other data of the space
+    dxGeom **tome_ex;      ///< as tome, for the second list
     dxSpace *parent_space; ///< null outside of spaces
     dReal aabb[6];         ///< least and greatest x, y, z; valid unless GEOM_AABB_BAD
     unsigned long category_bits;
@@ -82,7 +77,7 @@ struct dxGeom : public dBase
     virtual bool controlGeometry(int control_class, int code, void *value, int *size);
     virtual void computeAABB() = 0; ///< fills aabb from a valid final_posr; leaves the flags
     virtual int AABBTest(dxGeom *other,
-                         dReal box[6]); ///< may the geom touch what is in the box? True but for user classes.
+                         dReal box[6]); ///< may the geom touch what is in the box? Always true except for user classes.
 
     void computePosr(); ///< fills final_posr; leaves the flags
 
@@ -104,15 +99,15 @@ struct dxGeom : public dBase
     }
 };
 
-/// What a dSpaceID points to: a geom that holds geoms.
+/// The object behind a dSpaceID, a geom that contains geoms.
 struct dxSpace : public dxGeom
 {
-    int count;     ///< of the geoms in it
-    dxGeom *first; ///< of the list of these
-    int cleanup;   ///< the geoms are destroyed with the space
+    int count; ///< number of geoms
+    dxGeom *first;
+    int cleanup; ///< the geoms are destroyed with the space
     int sublevel;
     unsigned tls_kind;
-    int current_index;    ///< of current_geom, for getGeom()
+    int current_index;    ///< place of current_geom in the list
     dxGeom *current_geom; ///< the geom that getGeom() found last; null when the list has changed
     int lock_count;       ///< positive while the space collides
 
@@ -123,8 +118,8 @@ struct dxSpace : public dxGeom
     virtual dxGeom *getGeom(int index);
     virtual void add(dxGeom *geom);
     virtual void remove(dxGeom *geom);
-    virtual void dirty(dxGeom *geom); ///< the geom is moved, and was not dirty before
-    virtual void cleanGeoms() = 0;    ///< brings all bounding boxes up to date
+    virtual void dirty(dxGeom *geom); ///< a geom has moved that was not dirty before
+    virtual void cleanGeoms() = 0;    ///< computes all bounding boxes
     virtual void collide(void *data, dNearCallback *callback) = 0;
     virtual void collide2(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 };
@@ -134,7 +129,7 @@ inline bool IS_SPACE(const dxGeom *geom)
     return geom->type >= dFirstSpaceClass && geom->type <= dLastSpaceClass;
 }
 
-// The shapes, to be read only: ODE makes them.
+// The classes of geoms. ODE creates them; the space only reads them.
 
 struct dxSphere : public dxGeom
 {
@@ -168,12 +163,12 @@ struct dxRay : public dxGeom
     dReal length;
 };
 
-/// The arrays are the program's own.
+/// The program owns the arrays.
 struct dxConvex : public dxGeom
 {
     const dReal *planes;
     const dReal *points;      ///< x, y, z of each
-    const unsigned *polygons; ///< of each, the number of its corners and these
+    const unsigned *polygons; ///< per polygon: the number of its corners, then their indices
     unsigned planecount;
     unsigned pointcount;
 };

@@ -1,4 +1,4 @@
-// The geoms that a ray can touch where it does not meet their box. The sphere and shape tests follow a ray along its line.
+// The geoms that a ray can touch without meeting their box, for the sphere and shape tests, which follow a ray along its line.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_OFF_LINE_GEOMS_H
 #define ODE_PREDICTIVE_SPACE_SPACE_OFF_LINE_GEOMS_H
@@ -9,8 +9,7 @@
 
 namespace ode_predictive_space
 {
-/// The set of these geoms. It is brought up to date when a ray asks, not at each change: geoms change at every tick, and few programs
-/// send rays.
+/// The set is updated by queries with rays, not at each change: geoms change at every tick, and few programs use rays.
 class OffLineGeoms
 {
 public:
@@ -20,7 +19,6 @@ public:
         unknown_.resize(count);
     }
 
-    /// The geom may have come or gone.
     void note_change(ProxyId id)
     {
         unknown_.insert(id);
@@ -35,7 +33,7 @@ public:
 
     bool known() const { return known_.load(std::memory_order_acquire); }
 
-    /// @param is_off_line is called with each geom that has changed. One thread at a time may update.
+    /// Calls is_off_line(id) for each changed geom. @pre no other thread updates.
     template <typename IsOffLine> void update(IsOffLine is_off_line)
     {
         unknown_.for_each([&](ProxyId id) { is_off_line(id) ? geoms_.insert(id) : geoms_.erase(id); });

@@ -1,4 +1,4 @@
-// ODE's conditions for calling back for a pair, beside the overlap of its boxes.
+// ODE's conditions for a callback, other than the overlap of boxes.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_PAIR_FILTER_H
 #define ODE_PREDICTIVE_SPACE_SPACE_PAIR_FILTER_H
@@ -10,14 +10,13 @@
 
 namespace ode_predictive_space
 {
-// The two cache lines of a geom that the filters read.
 inline void prefetch_filters(const dxGeom *geom)
 {
     prefetch(&geom->gflags);
     prefetch(&geom->category_bits);
 }
 
-// The box test of user classes. ODE's own classes add nothing to the test of the bounding boxes.
+// ODE's own classes have no box test beyond the overlap of bounding boxes.
 [[gnu::noinline]] inline bool user_classes_agree(dxGeom *first, dxGeom *second)
 {
     return (first->type < dFirstUserClass || first->AABBTest(second, second->aabb) != 0) &&
@@ -29,8 +28,8 @@ constexpr int last_class_without_box = dRayClass;
 static_assert(dSphereClass < dBoxClass && dBoxClass < dCapsuleClass && dCapsuleClass < dCylinderClass &&
               dCylinderClass < dPlaneClass && dPlaneClass < dRayClass && dRayClass < dConvexClass);
 
-// This function and the next have the conditions of ODE's collideAABBs() beside overlap. Bits and bodies change without notice, so
-// they are read at each report. The bits come first: they exclude most pairs that always overlap, such as walls at their edges.
+// bits_agree() and wants_callback() are the conditions of ODE's collideAABBs() other than overlap, read at each report because
+// bits and bodies change without notice. Bits come first: they exclude most pairs that always overlap, such as adjacent walls.
 inline bool bits_agree(const dxGeom *first, const dxGeom *second)
 {
     return ((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)) != 0;

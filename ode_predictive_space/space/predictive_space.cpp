@@ -13,8 +13,8 @@ using namespace ode_predictive_space;
 
 namespace
 {
-// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty, so the flag is cleared after each report. The bounding box
-// may still be bad then; it is computed when it is needed. remove() and cleanGeoms() restore what ODE expects.
+// ODE's dGeomMoved() calls dirty() only for geoms that are not dirty, so the flag is cleared after each notice. The bounding
+// box may still be bad then, and is computed on demand. remove() and cleanGeoms() restore what ODE expects.
 void listen_to(dxGeom *geom)
 {
     geom->gflags &= ~GEOM_DIRTY;
@@ -26,7 +26,7 @@ dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpaceWithHashLevels(pa
     type = class_of_predictive_space;
 }
 
-// ~dxSpace() would call its own remove(). So this destructor empties the space, in the same way.
+// ~dxSpace() would call dxSpace::remove(), so the space is emptied here.
 dxPredictiveSpace::~dxPredictiveSpace()
 {
     CHECK_NOT_LOCKED(this);
@@ -49,7 +49,7 @@ GeomScene dxPredictiveSpace::scene() const
     return GeomScene(geoms_, hulls_, steps_at_once(), by_sphere());
 }
 
-// May run within the constructor of a geom, when neither its class nor its bounds exist: the next collide reads them.
+// May run in the constructor of a geom, before the geom has a class or bounds: the next update reads them.
 void dxPredictiveSpace::add(dxGeom *geom)
 {
     if (static_cast<std::size_t>(count) == tuning::few_objects)
@@ -61,14 +61,14 @@ void dxPredictiveSpace::add(dxGeom *geom)
     }
     dxSpace::add(geom);
     has_data_ = HasData::unknown;
-    // From here on nothing is thrown: without memory, or after an assertion of ODE, the space is as before.
+    // Nothing is thrown from here on. A failure above (memory, an assertion of ODE) leaves the space as it was.
     geom->next_ex = nullptr;
     geom->tome_ex = nullptr;
     if (predicts_)
         enrol(geom);
 }
 
-// Without memory the space is as before.
+// Throws before any change.
 void dxPredictiveSpace::start_predicting()
 {
     if (predicts_)
@@ -79,23 +79,23 @@ void dxPredictiveSpace::start_predicting()
     std::size_t left = 0;
     for (dxGeom *geom = first; geom; geom = geom->next)
         members[left++] = geom;
-    while (left > 0) // in the order in which they came
+    while (left > 0) // in order of insertion
         enrol(members[--left]);
     predicts_ = true;
 }
 
-// There is room for it.
+// @pre the arrays have room for the geom.
 void dxPredictiveSpace::enrol(dxGeom *geom)
 {
     const ProxyId id = broadphase_.add();
     geoms_[id] = geom;
     unclassified_.insert(id);
     access_.forget_catching_up();
-    // A number, not an address, in the member that ODE gives to spaces. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    // ODE leaves this member to spaces: it holds a number, not an address. NOLINTNEXTLINE(performance-no-int-to-ptr)
     geom->next_ex = reinterpret_cast<dxGeom *>(static_cast<std::uintptr_t>(id) + 1);
 }
 
-// May run within the destructor of a geom.
+// May run in the destructor of a geom.
 void dxPredictiveSpace::remove(dxGeom *geom)
 {
     CHECK_NOT_LOCKED(this);
@@ -106,7 +106,7 @@ void dxPredictiveSpace::remove(dxGeom *geom)
         moved_mesh_ = nullptr;
     if (predicts_)
         dismiss(geom);
-    // In this space a geom that has moved need not be dirty (see listen_to()), nor must its pose be computed. Elsewhere they must.
+    // Other spaces expect a moved geom to be dirty (see listen_to()), and its pose to be computed.
     if (geom->offset_posr)
         geom->recomputePosr();
     geom->gflags |= GEOM_DIRTY;
@@ -127,7 +127,6 @@ void dxPredictiveSpace::dismiss(dxGeom *geom)
     fit_to_proxies();
 }
 
-// The broad phase has made room, or given memory back.
 void dxPredictiveSpace::fit_to_proxies()
 {
     const std::size_t size = broadphase_.proxies().size();
@@ -141,13 +140,13 @@ void dxPredictiveSpace::fit_to_proxies()
     off_line_.resize(size);
     for (CountedIdSet *set : {&polled_, &unclassified_})
         set->resize(size);
-    resize_array(geoms_, size); // last: it tells the size
+    resize_array(geoms_, size); // last: an equal size means that all are resized
 }
 
 void dxPredictiveSpace::dirty(dxGeom *geom)
 {
     if (!predicts_)
-        return; // the flag of the geom tells it to the next collide
+        return; // the next collide reads the geom's flag
     if (geom->gflags & GEOM_POSR_BAD)
         return follow_carried(geom);
     note_followed(geom, broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom)));
@@ -162,8 +161,8 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     access_.forget_catching_up();
 }
 
-// A geom with an offset from its body, whose pose ODE computes when it is needed. ODE leaves the mark of such a pose on a geom that goes
-// from one body to another and has no offset any more. Not inlined: dirty() saves no registers, as it goes on to this.
+// Follows a geom with an offset from its body, whose pose ODE computes on demand. ODE also leaves GEOM_POSR_BAD on a geom that
+// has lost its offset when it changed bodies. Not inlined, so that dirty(), which ends with this call, saves no registers.
 [[gnu::noinline]] void dxPredictiveSpace::follow_carried(dxGeom *geom)
 {
     if (!geom->offset_posr)
@@ -186,12 +185,12 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     note_followed(geom, broadphase_.report_at_once(id, NoticedGeom(geom)));
 }
 
-// Not inlined: dirty() saves no registers, as it goes on to this.
+// Not inlined, as follow_carried().
 [[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom, Followed followed)
 {
     access_.forget_catching_up();
     if (IS_SPACE(geom))
-        return; // polled at each update; as long as it is dirty, ODE does not report further moves inside it
+        return; // polled at each update: while it is dirty, ODE reports no further moves inside it
     if (geom->type == dTriMeshClass)
         moved_mesh_ = geom;
     listen_to(geom);
@@ -199,7 +198,7 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     note_changed_line(geom);
 }
 
-// By the sphere and shape tests, rays are followed along their lines.
+// Only the sphere and shape tests follow rays along their lines.
 inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
 {
     if (by_box())
@@ -207,7 +206,7 @@ inline void dxPredictiveSpace::note_changed_line(const dxGeom *geom)
     off_line_.note_change(proxy_of(geom));
 }
 
-// Does what may need memory or the class of new geoms, which is known only now.
+// The classes of new geoms are known only now.
 void dxPredictiveSpace::prepare()
 {
     unclassified_.for_each([this](ProxyId id) {
@@ -219,8 +218,8 @@ void dxPredictiveSpace::prepare()
     unclassified_.clear();
 }
 
-// dGeomTriMeshSetData() marks the geom dirty without a notification, and ODE then sends none for its later moves. (ODE's own
-// spaces miss the change, too, or stop at an assertion, unless the geom happens to be the first in their list.)
+// dGeomTriMeshSetData() marks the geom dirty without a notice, and ODE then sends none for its later moves. (ODE's own spaces
+// miss the change or stop at an assertion, unless the geom is the first in their list.)
 void dxPredictiveSpace::poll_moves()
 {
     if (!unclassified_.empty())
@@ -233,7 +232,7 @@ void dxPredictiveSpace::poll_moves()
     });
 }
 
-// What the geom is made of may be other data, even at the same place.
+// The geom may have other data, even if their addresses are the same.
 void dxPredictiveSpace::note_change(ProxyId id)
 {
     hulls_.outdate(geoms_[id]);
@@ -244,7 +243,7 @@ void dxPredictiveSpace::note_change(ProxyId id)
     access_.forget_catching_up();
 }
 
-// Goes up through the spaces as ODE's dGeomMoved() does.
+// Marks the spaces above as ODE's dGeomMoved() does.
 void dxPredictiveSpace::geom_changed(dxGeom *geom)
 {
     if (predicts_)
@@ -261,11 +260,9 @@ void dxPredictiveSpace::geom_changed(dxGeom *geom)
     }
 }
 
-// Computes all boxes, also those that the space does not need yet. Moves stay reported for the next collide.
-//
-// The caller clears the flag of this space afterwards. ODE's rule is that a space is dirty while a geom in it is: dGeomMoved()
-// reports a move to the spaces above only up to the first geom that is dirty already. So this function leaves no geom in this
-// space dirty, at no depth; poll_moves() also reads the classes of new geoms, to find the spaces among them.
+// The caller then clears the flag of this space. In ODE a space is dirty while a geom in it is, because dGeomMoved() reports a
+// move upwards only to the first geom that is already dirty. So no geom in this space, at any depth, may remain dirty;
+// poll_moves() also reads the classes of new geoms, to find the spaces among them. Moves stay reported for the next collide.
 void dxPredictiveSpace::cleanGeoms()
 {
     if (!first)
@@ -298,7 +295,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
         collide_each(data, callback);
 }
 
-// As a simple space does, but all boxes are compared before the first callback.
+// Works as a simple space, except that all boxes are compared before the first callback.
 void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
 {
     struct Pair
@@ -380,7 +377,7 @@ std::size_t dxPredictiveSpace::find_reported(bool nested_call, std::vector<Candi
     return count;
 }
 
-// Checks the rest of ODE's conditions for a pair whose boxes overlap, and calls back.
+// @pre the pair overlaps by the space's test of proximity.
 inline void dxPredictiveSpace::call_back(dxGeom *one, dxGeom *other, void *data, dNearCallback *callback)
 {
     if (!bits_agree(one, other))
@@ -393,7 +390,7 @@ inline void dxPredictiveSpace::call_back(dxGeom *one, dxGeom *other, void *data,
     callback(data, one, other);
 }
 
-// Pairs of disabled geoms are not kept.
+// The near set keeps no pairs of disabled geoms.
 void dxPredictiveSpace::note_disabled(dxGeom *geom)
 {
     if (!predicts_)

@@ -16,10 +16,8 @@
 #include "ode_predictive_space/space/hash_levels.h"
 #include "ode_predictive_space/space/off_line_geoms.h"
 
-/// A space that calls its callback for exactly the pairs for which dxSimpleSpace would.
-///
-/// With few geoms it works as dxSimpleSpace does, until it has to predict. From then on it goes on to predict, and next_ex of each of
-/// its geoms holds the proxy number + 1; otherwise that is zero.
+/// By box, the space calls its callback for exactly the pairs of a dxSimpleSpace. With few geoms it works as one until it has
+/// to predict, which then never ends. While it predicts, next_ex of each geom holds the proxy number + 1; before, it is null.
 struct dxPredictiveSpace : public dxSpaceWithHashLevels
 {
     explicit dxPredictiveSpace(dxSpace *parent);
@@ -39,44 +37,39 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
     ode_predictive_space::Role role(dxGeom *geom) const;
 
-    /// Brings the broad phase up to date with what has moved, without a tick.
-    ///
-    /// @return false, after a message, when it is just being brought up to date, by another thread's tick or further up the stack.
+    /// Updates the broad phase without a tick. @return false, after a message, if an update is in progress, in another thread's
+    /// tick or further up the stack.
     bool catch_up(const char *function);
 
-    /// The same.
-    ///
-    /// @return holds back the inquiries of other threads as long as it lives; without a mutex when the space cannot be asked now.
+    /// Calls catch_up(). @return a lock under which other threads' queries that write wait; without a mutex if catch_up()
+    /// failed.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> begin_inquiry(const char *function);
 
-    /// The data that a geom of this space is made of have been changed in place.
     void geom_changed(dxGeom *geom);
 
-    /// By the shape test: makes the hulls of all geoms with data, also of those in predictive spaces within this one.
+    /// Makes the hulls of all geoms with data, in this space and in predictive spaces inside it, as far as they test by shape.
     void make_hulls(const char *function);
 
-    /// A geom that can be met, in ticks from now.
     struct Encounter
     {
         dxGeom *geom;
-        double ticks;
+        double ticks; // from now
     };
 
-    /// The time of proximity of two geoms of this space, in ticks from now. None when they stay apart; then `apart_until` tells
-    /// for how many ticks this is known. The space must be caught up.
+    /// Time of proximity of two geoms of this space, in ticks from now. None if they stay apart for `apart_until` ticks, which
+    /// are 0 if a motion is unknown. @pre the space is caught up.
     std::optional<double> time_of_proximity(dxGeom *first, dxGeom *second, double *apart_until);
 
-    /// All geoms that a geom of this space can meet, the soonest first. The space must be caught up.
+    /// The geoms that a geom of this space can meet, the soonest first. @pre the space is caught up.
     std::vector<Encounter> encounters(dxGeom *geom);
 
-    /// What contradicts the invariant.
     struct Violation
     {
-        const char *what = nullptr;                       ///< as a sentence; null when the invariant holds
-        const dxGeom *first = nullptr, *second = nullptr; ///< the geoms that it is about, if it is about any
+        const char *what = nullptr;                       ///< a sentence; null if the invariant holds
+        const dxGeom *first = nullptr, *second = nullptr; ///< the geoms concerned, if any
     };
 
-    /// Brings the space up to date, and checks the invariant by brute force.
+    /// Updates the space, and checks the invariant by brute force.
     Violation find_violation();
 
     const ode_predictive_space::Broadphase &broadphase() const { return broadphase_; }
@@ -86,7 +79,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     std::size_t bytes() const;
 
 private:
-    // The space is locked while it works and while its callbacks run, as ODE's own are. Several threads may ask it at once.
+    // Locks the space while it works and calls back, as ODE's spaces do. Several threads may hold locks at once.
     struct Lock
     {
         explicit Lock(dxSpace *space)
@@ -96,7 +89,7 @@ private:
         Lock(const Lock &) = delete;
         Lock &operator=(const Lock &) = delete;
         dxSpace *space;
-        bool is_only_one; // when it was made
+        bool is_only_one; // at its construction
     };
 
     using ProxyId = ode_predictive_space::ProxyId;
@@ -108,7 +101,7 @@ private:
     struct Question
     {
         dxGeom *geom;
-        std::optional<ode_predictive_space::RayProbe> line; // of a ray that is followed along its line
+        std::optional<ode_predictive_space::RayProbe> line; // for a ray that is followed along its line
     };
     Question question_of(dxGeom *geom);
     bool is_caught_up() const;
@@ -146,7 +139,7 @@ private:
     void start_predicting();
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);
-    // By the shape test; among few primitives, that does not pay.
+    // Among few primitives, the shape test does not pay.
     bool looks_at_shapes() { return by_shape() && (predicts_ || has_geoms_with_data()); }
     bool has_geoms_with_data();
     void collide_each(void *data, dNearCallback *callback);
@@ -166,30 +159,30 @@ private:
 
     enum class HasData : char
     {
-        unknown, // geoms have come or gone
+        unknown, // since geoms were added or removed
         no,
         yes
     };
-    std::atomic<HasData> has_data_{HasData::unknown}; // has any geom data? As long as the space does not predict
-    bool predicts_ = false;                           // else it has few geoms, and the broad phase has none of them
+    std::atomic<HasData> has_data_{HasData::unknown}; // does any geom have data? Only used before the space predicts
+    bool predicts_ = false;                           // otherwise the broad phase is empty
     ode_predictive_space::Broadphase broadphase_;
-    std::vector<dxGeom *> geoms_; // by proxy number; 0 for gaps
+    std::vector<dxGeom *> geoms_; // indexed by proxy number; null for gaps
 
-    ode_predictive_space::CountedIdSet unclassified_; // added since the last look: their class was not known then
-    ode_predictive_space::CountedIdSet polled_;       // geoms whose class changes them without notice
-    const dxGeom *moved_mesh_ = nullptr;              // the mesh whose move was noticed last
+    ode_predictive_space::CountedIdSet unclassified_; // geoms added since the last update, of unknown class
+    ode_predictive_space::CountedIdSet polled_;       // meshes and spaces, which change without notice
+    const dxGeom *moved_mesh_ = nullptr;              // the mesh of the last notice of a mesh
     ode_predictive_space::OffLineGeoms off_line_;
     ode_predictive_space::Access access_;
 
-    // Taken by collide() and collide2() while they call back, and returned afterwards: a callback may collide this space.
+    // Moved out by collide() and collide2() during callbacks, which may collide this space again.
     std::vector<ode_predictive_space::CandidatePair> pairs_;
     std::vector<ProxyId> found_;
 
-    mutable ode_predictive_space::HullStore hulls_; // a scene may make hulls
+    mutable ode_predictive_space::HullStore hulls_; // scene() is const, but its scene may make hulls
 
     unsigned long ticks_ = 0;
     unsigned long reported_ = 0;
-    unsigned long unchanged_ = 0; // notices of geoms that had not changed
+    unsigned long unchanged_ = 0; // notices without a change
 };
 
 #endif

@@ -1,6 +1,6 @@
-// What a geom's matrix is. ODE takes it for a rotation, and keeps it one only while it steps the body: dGeomSetRotation() and
-// dGeomSetQuaternion() store what they are given, dBodySetRotation() leaves the second row as given where it is not orthogonal to
-// the first, and dGeomRaySet() overwrites the third column of the body's matrix, if the ray has no offset from its body.
+// Checks of a geom's matrix. ODE treats it as a rotation, but keeps it one only while it steps the body: dGeomSetRotation() and
+// dGeomSetQuaternion() store any values, dBodySetRotation() keeps a second row that is not orthogonal to the first, and
+// dGeomRaySet() overwrites the third column of the body's matrix if the ray has no offset from its body.
 
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_ROTATION_H
 #define ODE_PREDICTIVE_SPACE_SPACE_ROTATION_H
@@ -18,10 +18,9 @@
 
 namespace ode_predictive_space
 {
-/// Of the products of rows of a rotation that is stored in ODE's precision.
+/// Upper bound of the round-off in products of rows of a rotation in ODE's precision.
 constexpr float round_off = sizeof(dReal) == sizeof(double) ? 1e-6f : 1e-5f;
 
-/// The columns of a matrix in single precision.
 struct Columns
 {
     Float4 x, y, z;
@@ -32,8 +31,8 @@ struct Columns
     {}
 };
 
-/// Is no row of the matrix longer than 1, but for round-off? A point at a distance d from the origin then stays within d along
-/// each axis, so that a sphere that holds a geom in every orientation is as wide as its bounding box. False for NaN.
+/// Per lane: is the row no longer than 1, but for round-off? A point at distance d from the origin then stays within d along
+/// that axis, so the cube around a sphere that holds the geom in all orientations contains its bounding box. False for NaN.
 inline Mask4 short_rows(const Columns &R)
 {
     return (R.x * R.x + R.y * R.y) + R.z * R.z <= Float4::all(1 + round_off);
@@ -47,8 +46,7 @@ inline bool keeps_within_sphere(const dMatrix3 R)
     return in_three_lanes(short_rows(Columns(R)));
 }
 
-/// Is it the identity, as ODE stores it? Most offsets are not turned, and this is compared bit by bit, which costs a third of the
-/// products below.
+/// Compares bit by bit, which costs a third of lengthens_nothing(). Most offsets are not turned.
 inline bool is_identity(const dMatrix3 R)
 {
     using Bits = std::conditional_t<sizeof(dReal) == sizeof(double), std::uint64_t, std::uint32_t>;
@@ -65,7 +63,7 @@ inline bool is_identity(const dMatrix3 R)
     return differing == 0;
 }
 
-/// Does the matrix make no vector longer, but for round-off? The rows of its product with a matrix of short rows are short, too.
+/// Does the matrix make no vector longer, but for round-off? Its product with a matrix of short rows then has short rows, too.
 /// (Entries of short rows can be multiplied in single precision.)
 inline bool lengthens_nothing(const dMatrix3 matrix)
 {
@@ -76,7 +74,7 @@ inline bool lengthens_nothing(const dMatrix3 matrix)
     return in_three_lanes(abs(products) <= Float4::all(round_off));
 }
 
-/// The sum of what the products of the columns of a matrix are off those of a rotation; NaN when an entry is.
+/// Sum of the differences between products of columns and those of a rotation; NaN if an entry is.
 inline double skew_of(const dMatrix3 R)
 {
     const std::array<Vector3, 3> columns{Vector3(R[0], R[4], R[8]), Vector3(R[1], R[5], R[9]),
@@ -87,8 +85,7 @@ inline double skew_of(const dMatrix3 R)
             skew += std::abs(columns[i].dot(columns[j]) - (i == j ? 1 : 0));
     return skew;
 }
-/// Beyond this, ODE's colliders find contacts anywhere in the bounding box. (A rotation matrix is integrated and normalised, so
-/// it is not exact.)
+/// With more skew, ODE's colliders may find contacts anywhere in the bounding box. (Integrated rotations are not exact.)
 constexpr double most_skew = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-5;
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// Spatial queries, by dSpaceCollide2(), and what brings the space up to date for them. Several threads may ask at once.
+// Spatial queries (dSpaceCollide2()), and the updates before them. Several threads may query at once.
 
 #include <utility>
 
@@ -17,16 +17,14 @@ bool dxPredictiveSpace::is_free(const char *function) const
     return false;
 }
 
-// By box, polling all meshes as poll_moves() does would cost more than a question. So a question sees other data only when they were
-// given to the geom that was added or moved last, as in a simple space. By sphere and by shape all meshes are polled: an old box could
-// hide a contact.
+// By box, a query notices new data only of the geom added last and of the mesh moved last, as in a simple space: polling all
+// meshes costs more than a query. By sphere and by shape all meshes are polled, because an old box could hide a contact.
 inline bool dxPredictiveSpace::is_caught_up() const
 {
     const auto is_changed = [](const dxGeom *geom) { return geom && (flags_beside_others(geom) & GEOM_DIRTY) != 0; };
     return access_.is_caught_up() && (by_box() ? !is_changed(first) && !is_changed(moved_mesh_) : polled_.empty());
 }
 
-// The threads that ask meanwhile wait.
 [[gnu::noinline]] bool dxPredictiveSpace::catch_up(const char *function)
 {
     const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
@@ -56,7 +54,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 {
     dAASSERT(geom && callback);
     const Lock lock(this);
-    // The shape test has to notice first which data were changed in place.
+    // By shape, an update must first find meshes that have other data now.
     if (static_cast<std::size_t>(count) <= tuning::few_objects && !looks_at_shapes())
         return ask_each(data, geom, callback);
     if (!is_caught_up() && !catch_up("dSpaceCollide2"))
@@ -74,7 +72,6 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
         found_ = std::move(found);
 }
 
-// Among few geoms, no index pays.
 void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callback)
 {
     bool all_boxes_known = true;
@@ -87,7 +84,6 @@ void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callba
         answer(other, question, false, data, callback);
 }
 
-// The sphere and shape tests follow a ray along its line.
 dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
 {
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
@@ -96,7 +92,6 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     return {geom, as_line ? line_of_ray(geom, Origin()) : std::nullopt};
 }
 
-// The threads that ask meanwhile wait.
 [[gnu::noinline]] bool dxPredictiveSpace::compute_boxes(const char *function)
 {
     const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
@@ -111,7 +106,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
 [[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line,
                                                              void *data, dNearCallback *callback)
 {
-    // Asked here, because may_touch() is a call, and a space of primitives has no other pairs.
+    // Checked here to save the call of may_touch(): a space of primitives has no other pairs.
     const auto are_primitives = [&] {
         return by_shape() && !question.line && !has_data(other) && !has_data(question.geom);
     };
@@ -126,7 +121,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
         callback(data, other, question.geom);
 }
 
-// By the sphere and shape tests: can a geom of this space be touched where the boxes overlap?
+// For the sphere and shape tests: can the probe touch a geom of this space? @pre their boxes overlap.
 [[gnu::noinline]] bool dxPredictiveSpace::may_touch(dxGeom *geom, const Question &question, bool is_on_line)
 {
     if (question.line && !question.line->overlaps(FloatBox::around(to_box(geom->aabb))) &&
@@ -137,7 +132,7 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     return question.geom->type == dRayClass || shapes_may_meet(geom, question.geom);
 }
 
-// Serves the shape test. A look costs as much as ODE takes to find the contacts of two primitives, so it is made at geoms with data only.
+// For two primitives a check costs as much as ODE's collider. The hull of a probe is known only if the probe is in this space.
 bool dxPredictiveSpace::shapes_may_meet(dxGeom *geom, dxGeom *probe)
 {
     const bool probe_is_member = probe->parent_space == this;
@@ -146,7 +141,7 @@ bool dxPredictiveSpace::shapes_may_meet(dxGeom *geom, dxGeom *probe)
     return shapes_may_touch(shape_now(geom), shape_now(probe), broadphase_.shape_margin());
 }
 
-// None when it is not known, or made of data that are not ready for looks. Each question goes on with these.
+// The shape is unknown while its hull is being made. Each query continues that work.
 ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
 {
     if (!has_data(geom))
@@ -156,13 +151,13 @@ ConvexShape dxPredictiveSpace::shape_now(dxGeom *geom)
     return shape_of(geom, hulls_.hull_of(proxy_of(geom), geom, steps).hull);
 }
 
-// A person never feels that a tick takes long.
+// Beside a geom that a person drives, hulls are made in slices, so that no tick is long.
 std::size_t dxPredictiveSpace::steps_at_once() const
 {
     return broadphase_.proxies().any_hand() ? tuning::steps_per_tick : HullMaker::all_steps;
 }
 
-// The space is not brought up to date: the next tick finds the pairs in the same order as without this.
+// The space is not updated, so that the next tick finds pairs in the same order as without this call.
 void dxPredictiveSpace::make_hulls(const char *function)
 {
     for (dxGeom *geom = first; geom; geom = geom->next)
@@ -180,14 +175,13 @@ void dxPredictiveSpace::make_hulls(const char *function)
             hulls_.hull_of(proxy_of(geom), geom, steps);
 }
 
-// Boxes that no tick has needed are computed when they are first asked for.
 [[gnu::noinline]] void dxPredictiveSpace::compute_box(dxGeom *geom)
 {
     const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     compute_box_beside_others(geom);
 }
 
-// The probe may be a geom of another predictive space, which several threads ask, too.
+// The probe may be in another predictive space, whose mutex then guards its box.
 [[gnu::noinline]] void dxPredictiveSpace::compute_box_of_probe(dxGeom *geom)
 {
     auto *owner = dynamic_cast<dxPredictiveSpace *>(geom->parent_space);
@@ -204,10 +198,8 @@ void dxPredictiveSpace::make_hulls(const char *function)
     });
 }
 
-// All geoms whose bounding box may overlap that of the probe. A ray is followed along its line; the geoms that it can touch without
-// meeting their box are found by its box, and come last.
-//
-// @return the number of geoms found along the line.
+// Finds all geoms whose bounding box may overlap the probe's. A ray is followed along its line; geoms that it can touch off the
+// line are found by its box, and come last. @return the number of geoms found along the line.
 std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<ProxyId> &found)
 {
     const Origin &origin = broadphase_.origin();

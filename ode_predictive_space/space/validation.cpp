@@ -1,4 +1,4 @@
-// Validation: does the invariant hold? By brute force.
+// Validation of the invariant by brute force.
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@
 
 using namespace ode_predictive_space;
 
-// Is the box within the outer one? A side of it may be NaN only where the outer one is infinite.
+// A side of `box` may be NaN only where `outer` is infinite.
 static bool is_within(const FloatBox &outer, const Box &box)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -47,7 +47,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
     broadphase_.for_each_near_pair([&](const CandidatePair &pair, PairState state) {
         near_pairs.push_back(std::minmax(pair.first, pair.second));
         const bool overlap = now.overlap(geoms_[pair.first], geoms_[pair.second]);
-        // By the shape test, pairs rest as separated whose boxes overlap.
+        // With the shape test, a pair whose boxes overlap may rest as separated.
         if (state == PairState::overlapping ? !overlap : state == PairState::separated && overlap && !by_shape())
             wrong_state = {"what is known of a pair at rest is wrong", geoms_[pair.first], geoms_[pair.second]};
     });
@@ -61,7 +61,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
         for (std::size_t j = i + 1; j < members.size(); ++j)
         {
             dxGeom *one = geoms_[members[i]], *other = geoms_[members[j]];
-            // Pairs of disabled geoms are not kept.
+            // The near set keeps no pairs of disabled geoms.
             if (now.overlap(one, other) && enabled(one) && enabled(other) &&
                 !std::binary_search(near_pairs.begin(), near_pairs.end(), std::make_pair(members[i], members[j])))
                 return {"two geoms overlap and are not in the near set", one, other};
@@ -69,7 +69,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
     return {};
 }
 
-// Pairs that are not reported because of their shapes must have no contacts.
+// A pair that is not reported because of its shapes must have no contact.
 dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
 {
     if (!by_shape())
@@ -93,7 +93,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
 dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
 {
     const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
-    access_.forget_catching_up(); // ODE does not report that a geom was enabled
+    access_.forget_catching_up(); // ODE sends no notice when a geom is enabled
     if (!catch_up("dPredictiveSpaceValidate"))
         return {"it cannot be checked now"};
     const Lock lock(this);

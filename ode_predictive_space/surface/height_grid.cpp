@@ -7,7 +7,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A program computes heights in a function of its own, which may take long.
+// Reading a sample may call a slow function of the program.
 constexpr std::size_t steps_per_sample = 8;
 } // namespace
 
@@ -34,7 +34,7 @@ std::size_t HeightGrid::build(std::size_t steps)
     return steps;
 }
 
-// Reads samples. @return the steps that are left when all have been read, or 0.
+// Reads samples. @return the unused steps once all samples are read, otherwise 0.
 std::size_t HeightGrid::read(std::size_t steps)
 {
     const std::size_t all = index(0, size_.rows);
@@ -82,7 +82,7 @@ void HeightGrid::begin_level()
     levels_.push_back(std::move(level));
 }
 
-// The highest of a square of the level that is being built.
+// The square is one of the level under construction.
 float HeightGrid::highest_below(int column, int row) const
 {
     if (levels_.size() == 1)
@@ -96,7 +96,7 @@ float HeightGrid::highest_below(int column, int row) const
     return highest;
 }
 
-// The largest gap along an axis between a box and what is below a square of this copy.
+// Largest gap along an axis between a box and the solid below a square.
 double HeightGrid::distance_to(const Eigen::AlignedBox3d &box, const Square &square) const
 {
     const Level &level = levels_[static_cast<std::size_t>(square.level)];

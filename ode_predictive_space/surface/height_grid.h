@@ -1,4 +1,4 @@
-// The heights of a heightfield in a pyramid of maxima. In: a box and a distance. Out: the cells that may be so near.
+// The heights of a heightfield in a pyramid of maxima. In: a box and a distance. Out: the cells that may be that near.
 
 #ifndef ODE_PREDICTIVE_SPACE_SURFACE_HEIGHT_GRID_H
 #define ODE_PREDICTIVE_SPACE_SURFACE_HEIGHT_GRID_H
@@ -17,31 +17,29 @@
 
 namespace ode_predictive_space
 {
-/// Samples along x and z, of which four are the corners of a cell; y is up.
+/// A grid of samples along x and z. Four neighbours are the corners of a cell; y is up.
 struct GridSize
 {
-    int columns = 2, rows = 2;     ///< of samples, along x and z
+    int columns = 2, rows = 2;     ///< numbers of samples along x and z
     double cell_x = 1, cell_z = 1; ///< sides of a cell
-    bool repeats = false;          ///< without end; the last column and row are the first ones again
+    bool repeats = false;          ///< the grid is infinite; its last column and row equal the first ones
 };
 
-/// A cell is two triangles; all that is below them is solid, as in ODE. Lengths and points are in the grid's frame: the first sample is
-/// at x = z = 0. Takes some 5 bytes per triangle. Heights are rounded to single precision.
+/// A cell is two triangles; everything below them is solid, as in ODE. Lengths and points are in the grid's frame, with the
+/// first sample at x = z = 0. The grid takes about 5 bytes per triangle, as heights are rounded to single precision.
 class HeightGrid final : public Surface
 {
 public:
-    /// In: column and row. Out: the height of the sample.
-    using Height = std::function<double(int, int)>;
+    using Height = std::function<double(int, int)>; ///< height of a sample by column and row
 
-    /// A cell, and how far a box is from what is solid below it.
     struct Cell
     {
-        int column, row; ///< of the sample with the least x and z
-        double x, z;     ///< of that sample, also where the grid repeats
-        double distance; ///< the largest along an axis; negative when the box is in there
+        int column, row; ///< those of the corner with the least x and z
+        double x, z;     ///< coordinates of that corner, in the cell's copy if the grid repeats
+        double distance; ///< largest gap along an axis between a box and the solid below; negative if they overlap
     };
 
-    /// @param height is not called before build(), and not when the grid is ready.
+    /// @param height is called only by build(), until the grid is ready.
     HeightGrid(const GridSize &size, Height height);
 
     std::size_t count() const override { return 2 * cells(); }
@@ -53,20 +51,18 @@ public:
     double width() const { return (size_.columns - 1) * size_.cell_x; }
     double depth() const { return (size_.rows - 1) * size_.cell_z; }
 
-    /// Are all heights finite? Of a grid that is ready.
+    /// Are all heights finite in single precision? @pre the grid is ready.
     bool is_finite() const { return std::isfinite(largest_); }
-    /// The largest absolute height. Of a grid that is ready.
+    /// The largest absolute height. @pre the grid is ready.
     double largest() const { return largest_; }
     double height(int column, int row) const { return samples_[index(column, row)]; }
 
-    /// Calls visit(const Cell &) for all cells that are nearer than a distance to a box, and maybe some more, until it returns false.
-    /// The grid is ready and finite.
-    ///
-    /// @param distance is read again after each visit, which may make it less.
+    /// Calls visit(const Cell &) for each cell whose Cell::distance is less than `distance`, until visit returns false. Visits
+    /// may reduce `distance`. @pre the grid is ready and finite.
     template <typename Visit> void walk(const Eigen::AlignedBox3d &box, const double &distance, Visit visit) const;
 
 private:
-    // The maxima of a level: of cells, or of squares of four places of the level below.
+    // Maxima of the cells, or of squares of four places of the level below.
     struct Level
     {
         int columns = 0, rows = 0;
@@ -85,7 +81,7 @@ private:
         double distance;
     };
 
-    static constexpr std::size_t most_waiting = 128; // three at each level, and four more
+    static constexpr std::size_t most_waiting = 128; // three per level, and four more
 
     std::size_t cells() const
     {
@@ -105,7 +101,7 @@ private:
     bool walk_copy(const Eigen::AlignedBox3d &box, const Vector3 &place, const double &distance, Visit visit) const;
 
     GridSize size_;
-    Height height_; // until the grid is ready
+    Height height_; // empty once the grid is ready
     double largest_ = 0;
     std::vector<float> samples_;
     std::vector<Level> levels_;
@@ -128,7 +124,7 @@ void HeightGrid::walk(const Eigen::AlignedBox3d &box, const double &distance, Vi
                 return;
 }
 
-// @param place of the first sample of this copy.
+// @param place the position of this copy's first sample.
 template <typename Visit>
 bool HeightGrid::walk_copy(const Eigen::AlignedBox3d &box, const Vector3 &place, const double &distance,
                            Visit visit) const

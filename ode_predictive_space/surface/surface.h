@@ -1,4 +1,4 @@
-// What is touched in its hollows, too: not only where its hull is. In: steps of work. Out: can it be asked now?
+// A mesh or heightfield, which can be touched inside its convex hull. In: steps of work. Out: whether it is ready for queries.
 
 #ifndef ODE_PREDICTIVE_SPACE_SURFACE_SURFACE_H
 #define ODE_PREDICTIVE_SPACE_SURFACE_SURFACE_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space
 {
-/// Made ready in slices, as large as the caller likes, so that no tick waits for a large one.
+/// A surface is built in slices of any size, so that no tick waits for a large one.
 class Surface
 {
 public:
@@ -16,12 +16,10 @@ public:
     Surface(const Surface &) = delete;
     Surface &operator=(const Surface &) = delete;
 
-    /// Of triangles.
+    /// Number of triangles.
     virtual std::size_t count() const = 0;
 
-    /// Goes on, for so many steps; each takes some 20 ns.
-    ///
-    /// @return the steps that are left.
+    /// Continues the build by up to `steps` steps of about 20 ns each. @return the unused steps.
     virtual std::size_t build(std::size_t steps) = 0;
     virtual bool is_ready() const = 0;
 

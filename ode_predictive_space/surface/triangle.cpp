@@ -9,7 +9,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr double flattest_squared_sine = 1e-20; // below, a triangle is its edges
+constexpr double flattest_squared_sine = 1e-20; // a flatter triangle is treated as its edges
 
 NearestOnTriangle nearest_on_edge(const Vector3 &point, const TriangleCorners &corners, int edge)
 {
@@ -26,7 +26,7 @@ NearestOnTriangle nearest_on_edge(const Vector3 &point, const TriangleCorners &c
     return nearest;
 }
 
-/// Whether an edge lies between the point and the face, seen along the normal.
+/// Is the point outside the face across this edge, seen along the normal?
 bool is_beyond_edge(const Vector3 &point, const TriangleCorners &corners, const Vector3 &normal, int edge)
 {
     const Vector3 along = corners[(edge + 1) % 3] - corners[edge];
@@ -42,7 +42,7 @@ NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorner
     const double square = normal.squaredNorm();
     const bool has_face = square > flattest_squared_sine * first.squaredNorm() * second.squaredNorm();
 
-    // Of a face, only an edge that the point is beyond can be nearest.
+    // An edge of a face can be nearest only if the point is beyond it.
     NearestOnTriangle nearest;
     nearest.squared_distance = std::numeric_limits<double>::infinity();
     bool is_over_face = has_face;

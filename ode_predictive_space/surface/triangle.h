@@ -11,7 +11,6 @@ namespace ode_predictive_space
 {
 using TriangleCorners = std::array<Vector3, 3>;
 
-/// Which part of a triangle a point of it belongs to.
 enum class TrianglePart
 {
     face,
@@ -24,10 +23,10 @@ struct NearestOnTriangle
     Vector3 point = Vector3::Zero();
     double squared_distance = 0;
     TrianglePart part = TrianglePart::face;
-    int index = 0; ///< of the corner, or of the edge: edge i joins corner i and the one after it
+    int index = 0; ///< number of the corner or edge; edge i joins corner i and the next one
 };
 
-/// For triangles of any shape, those without area included. Ericson, Real-Time Collision Detection, 5.1.5, has the regions.
+/// Triangles without area are valid, too. Regions: Ericson, Real-Time Collision Detection, 5.1.5.
 NearestOnTriangle nearest_on_triangle(const Vector3 &point, const TriangleCorners &corners);
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// The arrays that a program keeps its mesh in. In: the number of a triangle. Out: its corners.
+// The arrays in which a program stores a mesh. In: the number of a triangle. Out: its corners.
 
 #ifndef ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_ARRAYS_H
 #define ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_ARRAYS_H
@@ -12,20 +12,20 @@
 
 namespace ode_predictive_space
 {
-/// The first members of ODE's data of a mesh, in ODE 0.16. The arrays are the program's own.
+/// The first members of ODE's mesh data, laid out as in ODE 0.16. The program owns the arrays.
 struct TriangleArrays
 {
     using Indices = std::array<std::uint32_t, 3>;
 
-    const void *vertices; ///< of 3 floats or doubles each
-    int vertex_stride;    ///< bytes from one to the next
+    const void *vertices; ///< 3 floats or doubles per vertex
+    int vertex_stride;    ///< bytes from a vertex to the next
     unsigned vertex_count;
-    const void *triangles; ///< of 3 indices of vertices each, of 32 bits
+    const void *triangles; ///< 3 vertex indices of 32 bits per triangle
     unsigned triangle_count;
     int triangle_stride;
-    bool single; ///< vertices of floats
+    bool single; ///< vertices are floats
 
-    /// The vertices of a triangle. Those may not exist: see vertex_count.
+    /// Vertex indices of a triangle, unchecked: they may be vertex_count or more.
     Indices indices(std::uint32_t triangle) const
     {
         return element<std::uint32_t>(triangles, triangle_stride, triangle);
@@ -34,7 +34,7 @@ struct TriangleArrays
     /// @param index below vertex_count.
     Vector3 vertex(std::uint32_t index) const { return single ? vertex_of<float>(index) : vertex_of<double>(index); }
 
-    /// Of a triangle whose vertices exist.
+    /// @pre the vertex indices of the triangle are below vertex_count.
     TriangleCorners corners(std::uint32_t triangle) const
     {
         const auto [a, b, c] = indices(triangle);
@@ -42,7 +42,7 @@ struct TriangleArrays
     }
 
 private:
-    // Arrays of programs may begin at any byte.
+    // The program's arrays may be unaligned.
     template <typename T> static std::array<T, 3> element(const void *array, int stride, std::uint32_t index)
     {
         std::array<T, 3> found;

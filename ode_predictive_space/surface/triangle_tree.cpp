@@ -12,7 +12,7 @@ namespace
 using Box = Eigen::AlignedBox3d;
 
 constexpr std::uint32_t leaf_size = 4;
-constexpr std::uint32_t least_part = 16; // of the triangles, one over the number: a side with less is too small
+constexpr std::uint32_t least_part = 16; // a side with at most a sixteenth of the triangles is too small
 
 float rounded(double value, float towards)
 {
@@ -37,19 +37,19 @@ Box box_of(const TriangleCorners &corners)
 }
 } // namespace
 
-// Divides ranges of triangles at the middle of their extent, one triangle at each step.
+// Divides ranges of triangles at the middle of their extent. A step assigns one triangle to a side.
 class TriangleTree::Builder
 {
 public:
     explicit Builder(TriangleTree &tree) : tree_(tree)
     {
-        tree_.nodes_.reserve(tree_.order_.size() / 4 * 3 + 8); // so that no step has to move them, but for rare meshes
+        tree_.nodes_.reserve(tree_.order_.size() / 4 * 3 + 8); // enough for most meshes: no step then moves nodes
         tree_.nodes_.resize(1);
         current_.range.end = static_cast<std::uint32_t>(tree_.order_.size());
         current_.divides = false;
     }
 
-    // @return false when the tree is done.
+    // @return false when the tree is complete.
     bool step()
     {
         if (current_.next == current_.range.end && !finish_pass())
@@ -68,10 +68,9 @@ public:
     }
 
 private:
-    // Of several triangles: their bounding box, and that of the centres of their boxes.
     struct Extent
     {
-        Box box, middles;
+        Box box, middles; // around triangles, and around the centres of their boxes
 
         void extend(const Box &triangle)
         {
@@ -80,7 +79,7 @@ private:
         }
     };
 
-    // Triangles from begin to end in order_, that belong below a node.
+    // Triangles below a node, as a range of order_.
     struct Range
     {
         std::uint32_t begin = 0, end = 0, node = 0, depth = 0;
@@ -89,11 +88,11 @@ private:
         std::uint32_t count() const { return end - begin; }
     };
 
-    // One pass over a range. What goes left is brought before the border.
+    // One pass over a range. Triangles of the left side are swapped to before the border.
     struct Pass
     {
         Range range;
-        bool divides = true; // otherwise only measures: all goes left
+        bool divides = true; // false: the pass only measures, with all triangles on the left
         bool in_halves = false;
         Eigen::Index axis = 0;
         double middle = 0;
@@ -110,7 +109,7 @@ private:
         return triangle.center()[current_.axis] < current_.middle;
     }
 
-    // Goes on to the next range that has to be divided.
+    // Begins the next pass. @return false when no range is left to divide.
     bool finish_pass()
     {
         if (!current_.divides)
@@ -157,7 +156,7 @@ private:
         add({current_.border, range.end, first + 1, range.depth + 1, current_.right});
     }
 
-    // A node for the range, which is a leaf when it is small: also of no triangles, which only the root can be.
+    // Fills the node of a range. A small range becomes a leaf; only the root can be an empty one.
     void add(const Range &range)
     {
         Node &node = tree_.nodes_[range.node];

@@ -1,4 +1,4 @@
-// The triangles of a mesh in a tree of boxes. In: a point and a distance. Out: the triangles that may be so near.
+// The triangles of a mesh in a tree of boxes. In: a point and a distance. Out: the triangles that may be within the distance.
 
 #ifndef ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_TREE_H
 #define ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_TREE_H
@@ -17,17 +17,17 @@
 
 namespace ode_predictive_space
 {
-/// Some 28 bytes per triangle; the corners stay in the arrays of the program, which must not change while the tree is in use. Lengths
-/// and points are in the mesh's frame.
+/// The tree takes about 28 bytes per triangle. Corners stay in the program's arrays, which must not change while the tree is in
+/// use. Lengths and points are in the mesh's frame.
 class TriangleTree final : public Surface
 {
 public:
-    /// Its children lie one behind the other, and have larger numbers than it.
+    /// The two children of a node are adjacent, and have larger numbers than the node.
     struct Node
     {
         Eigen::Vector3f low, high; ///< rounded outwards
-        std::uint32_t first = 0;   ///< of a leaf: in order(); else the first child
-        std::uint32_t end = 0;     ///< of a leaf: in order(), behind its last triangle; else 0
+        std::uint32_t first = 0;   ///< leaf: begin of its triangles in order(); otherwise its first child
+        std::uint32_t end = 0;     ///< leaf: end of its triangles in order(); otherwise 0
 
         bool is_leaf() const { return first <= end; }
 
@@ -43,37 +43,32 @@ public:
         }
     };
 
-    /// Holds all triangles.
-    ///
-    /// @param mesh whose triangles have vertices that exist and are finite. Nothing of it is read yet.
+    /// A tree of all triangles, whose vertices must exist and be finite. The arrays are not read yet.
     explicit TriangleTree(const TriangleArrays &mesh);
 
-    /// Holds some triangles. They keep their numbers, and only their vertices need exist and be finite.
+    /// A tree of some triangles, which keep their numbers. Only their vertices must exist and be finite.
     TriangleTree(const TriangleArrays &mesh, std::vector<std::uint32_t> triangles);
     ~TriangleTree() override;
 
-    /// Of the mesh, also when not all are held.
+    /// Number of all triangles of the mesh, also if the tree holds only some of them.
     std::size_t count() const override { return mesh_.triangle_count; }
     TriangleCorners corners(std::uint32_t triangle) const { return mesh_.corners(triangle); }
 
     std::size_t build(std::size_t steps) override;
     bool is_ready() const override { return !builder_; }
 
-    /// Calls visit(number of the triangle) for all triangles whose boxes are within a distance of the point, and maybe some more,
-    /// until it returns false. Nearer boxes come first. The tree is ready.
-    ///
-    /// @param distance is read again after each visit, which may make it less.
+    /// Calls visit(triangle number) for each triangle of the leaves whose boxes are within `distance` of the point, until visit
+    /// returns false. The nearer of two children is searched first. Visits may reduce `distance`. @pre the tree is ready.
     template <typename Visit> void walk(const Vector3 &point, const double &distance, Visit visit) const;
 
-    /// Calls visit(number of the triangle) for the triangles of each leaf that is entered, always in the same order. The tree is ready.
-    ///
-    /// @param enter called with the number of a node, from the root on; where it returns false, what is below the node is left out.
+    /// Calls enter(node number) from the root down, and visit(triangle number) in the leaves, always in the same order. If
+    /// enter returns false, the subtree is skipped. @pre the tree is ready.
     template <typename Enter, typename Visit> void descend(Enter enter, Visit visit) const;
 
-    /// At least the root, which is the first one. The tree is ready.
+    /// The root is the first node. @pre the tree is ready.
     const std::vector<Node> &nodes() const { return nodes_; }
 
-    /// Numbers of triangles as the leaves have them.
+    /// Triangle numbers in the order of the leaves.
     const std::vector<std::uint32_t> &order() const { return order_; }
 
     std::size_t bytes() const override;
@@ -87,12 +82,12 @@ private:
         double squared_distance;
     };
 
-    static constexpr std::size_t deepest = 96; // the builder makes no deeper tree
+    static constexpr std::size_t deepest = 96; // maximum depth, which the builder respects
 
     TriangleArrays mesh_;
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
-    std::unique_ptr<Builder> builder_; // until the tree is ready
+    std::unique_ptr<Builder> builder_; // null once the tree is ready
 };
 
 template <typename Visit> void TriangleTree::walk(const Vector3 &point, const double &distance, Visit visit) const
