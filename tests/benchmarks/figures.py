@@ -74,7 +74,7 @@ def stepped(build):
         if kind == "collide":
             scene, begin, end = part_of(world)
             ticks = found["tick", world, n]
-            for space in ticks:  # some contenders are no spaces that a program can have
+            for space in ticks:  # some contenders are not spaces that a program can use
                 yield {"table": "stepped", "scene": scene.replace("_stepped", ""), "n": n, "begin_s": begin, "end_s": end,
                        **timing(spaces, ticks, space)}
     for (_, world, n), spaces in clocked(build, "query", ["ask"], 5).items():

@@ -65,11 +65,11 @@ def count(build, row, chosen, contacts):
         first, end, every = window_of(row, json.loads(printed)["first_events"])
         spaces = spaces_for(row, chosen)
         kinds = [word for space in spaces for word in ("--space", SPACES[space])]
-        if row["n"] >= 5000:  # a simple space would take minutes for the pairs
+        if row["n"] >= 5000:  # a simple space would take minutes
             kinds += ["--reference", "box"]
         if contacts:
             kinds.append("--contacts")
-        if row["scene"] == "many":  # which are made and destroyed all the time
+        if row["scene"] == "many":  # its worlds are created and destroyed all the time
             kinds.append("--whole-life")
         done = subprocess.run(
             list(map(str, [build / "ode_predictive_space/preload/ode-predictive", "replay", *kinds, "--from", first, "--to", end,

@@ -12,7 +12,7 @@ from pathlib import Path
 
 FUNCTIONS = ["worldspawn", "box", "info_player_start", "main", "StartFrame", "PlayerPreThink", "PlayerPostThink", "ClientKill",
              "ClientConnect", "PutClientInServer", "ClientDisconnect", "SetNewParms"]
-# The fields that the engine expects at the beginning of every entity, in its order, and their types.
+# Fields that the engine expects at the beginning of every entity, in its order, with their types.
 STRING, NUMBER, VECTOR, ENTITY, FUNCTION = 1, 2, 3, 4, 6
 FIELDS = [("modelindex", NUMBER), ("absmin", VECTOR), ("absmax", VECTOR), ("ltime", NUMBER), ("movetype", NUMBER),
           ("solid", NUMBER), ("origin", VECTOR), ("oldorigin", VECTOR), ("velocity", VECTOR), ("angles", VECTOR),

@@ -8,7 +8,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// The geom's bounding box, which must be up to date, rounded outwards.
+/// The geom's bounding box, rounded outwards. It must be up to date.
 inline FloatBox float_box_of(const dxGeom *geom)
 {
     const dReal *aabb = geom->aabb;
