@@ -33,7 +33,7 @@ TABLES_ARE_FROM_DATA = ("README.md", "docs/performance.md", "docs/faq.md", "docs
 ALL_IS_FROM_DATA = ("docs/performance.md",)
 ODE = ("simple", "hash", "quadtree", "sap")
 
-# What columns of pages are called in the data.
+# Names that columns of pages have in the data.
 COLUMNS = {
     "stepped.json": {
         "best ODE space": "best ODE space, mean",
@@ -63,7 +63,7 @@ COLUMNS = {
         "with / without": "now / before",
     },
 }
-# By which columns a row of a CSV file is named.
+# Columns that name a row of a CSV file.
 KEYS = {
     "clients.csv": ["program", "space"],
     "haptic_loop.csv": ["space"],

@@ -21,7 +21,7 @@ import time
 import faults as table
 
 TOP = pathlib.Path(__file__).resolve().parent.parent.parent
-SUITES = {  # where the programs are; quick ones first
+SUITES = {  # paths of the programs; quick ones first
     "prediction": "tests/prediction/prediction_test",
     "broadphase": "tests/broadphase/broadphase_tests",
     "shapes": "tests/shape/shape_tests",
@@ -48,7 +48,7 @@ class Failure(Exception):
 @dataclasses.dataclass
 class Result:
     fault: table.Fault
-    test: str  # that noticed; empty when none did
+    test: str  # the test that noticed; empty if none did
     seconds: float
 
     @property

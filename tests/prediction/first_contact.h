@@ -1,4 +1,4 @@
-// The true first time at which two envelopes touch, found without chords: what the prediction is compared with.
+// The true first time at which two envelopes touch, found without chords: the reference for the prediction.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_PREDICTION_FIRST_CONTACT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_PREDICTION_FIRST_CONTACT_H

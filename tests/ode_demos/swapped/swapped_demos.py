@@ -31,7 +31,7 @@ HEADER = "#include <ode_predictive_space/predictive_space.h>\n"
 class Run:
     ending: str
     collides: int = 0
-    differences: int = 0  # collides in which it did not get all pairs
+    differences: int = 0  # collides that missed pairs
 
 
 def arguments_from(text, begin):
