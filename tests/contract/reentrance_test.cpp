@@ -91,7 +91,7 @@ TEST_F(Contract, 07_ChangesAreRefusedWhileLocked)
 
 TEST_F(Contract, 07_GeomsAreBroughtUpToDateUnderTheLock)
 {
-    // While a space is being cleaned, nothing in it may be moved. That is when a user class is asked for its bounds.
+    // While a space is being cleaned, nothing in it may be moved. The bounds function of a user class is called just then.
     static dSpaceID space;
     static int least_lock_count;
     const auto collider = [](int) -> dColliderFn * { return nullptr; };

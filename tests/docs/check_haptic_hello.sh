@@ -21,6 +21,6 @@ expect '^1\.0 s: the probe at 0\.102. m touches the box, the hand feels 3\.7. N$
 expect '^1000 ticks '
 [ "$(printf '%s\n' "$simulated" | wc -l)" -eq 11 ] || fail 'more or less than ten lines and a summary'
 
-# By the clock, a busy machine may change the force, but the box is touched at the end.
+# On a busy machine the force by the clock may differ, but the box is touched at the end.
 by_the_clock=$("$1") || { printf 'by the clock it fails:\n%s\n' "$by_the_clock"; exit 1; }
 printf '%s\n' "$by_the_clock" | grep -q '^1000 ticks '

@@ -1,4 +1,4 @@
-// The scene that asks.
+// The scene with queries.
 
 #include "demos/runs/world_run.h"
 

@@ -1,4 +1,4 @@
-// The shape of a geom, of which nothing is known before.
+// The shape of a geom, made without earlier results.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_MADE_SHAPE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_MADE_SHAPE_H

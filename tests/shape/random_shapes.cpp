@@ -39,8 +39,8 @@ double log_between(ShapeMaker &maker, double low, double high)
     return std::exp(maker.between(std::log(low), std::log(high)));
 }
 
-// The point of a hull that is nearest, by moving weight from the worst of the points that have some to the best of all (pairwise
-// Frank-Wolfe steps): whatever the number of steps, it is a point of the hull.
+// The nearest point of a hull, by pairwise Frank-Wolfe steps: each moves weight from the worst of the points that have some to
+// the best of all. After any number of steps, the result is a point of the hull.
 Vector3 nearest_of_points(const std::vector<Vector3> &points, const Vector3 &point)
 {
     std::vector<double> weights(points.size());
@@ -76,7 +76,6 @@ Vector3 nearest_of_hull(const ConvexShape &shape, const Vector3 &point)
     return shape.centre + axes * nearest_of_points(points_of(*shape.hull), axes.transpose() * (point - shape.centre));
 }
 
-// The point of the shape that is nearest to `point`.
 Vector3 nearest_of(const ConvexShape &shape, const Vector3 &point)
 {
     if (shape.kind == ShapeKind::hull)

@@ -9,7 +9,7 @@ namespace
 {
 using worlds::IndexPair;
 
-/// What decides on a geom's pairs.
+/// The properties that decide on a geom's pairs.
 struct Record
 {
     explicit Record(dGeomID the_geom)

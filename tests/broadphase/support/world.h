@@ -20,7 +20,7 @@ struct Object
     /// Half sizes along its own axes. A sphere has its radius in all; a capsule has its radius in x and y, half its segment in
     /// z.
     Vector3 half = Vector3::Constant(0.1);
-    double radius = 0.2;                    ///< radius of the bounding sphere; infinite if it has none
+    double radius = 0.2;                    ///< radius of the bounding sphere; infinite without one
     Watch formula = Watch::nothing;         ///< formula of its bounding box for the broad phase; nothing: no formula
     std::optional<Vector3> velocity;        ///< velocity of its body, per second; none without a body
     Vector3 displacement = Vector3::Zero(); ///< per tick

@@ -1,4 +1,4 @@
-// The same small program in two spaces: a predictive space must report what a simple space reports.
+// A small program in two spaces: a predictive space must report what a simple space reports.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_SCENARIO_H
 #define ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_SCENARIO_H
