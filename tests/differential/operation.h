@@ -52,8 +52,7 @@ enum class Action
     tick_throwing_bounds, ///< in predictive spaces: a tick in which the aabb function of a user class throws at call `number`
     query_throwing_bounds, ///< likewise for dSpaceCollide2() of the geoms or spaces subject and object
     change_in_place,       ///< convex or mesh subject gets size value[0]; if it has its own data, these change in place
-    ask_times, ///< in a predictive space: the time at which geoms subject and object meet, and the first `number` encounters of
-        ///< subject
+    ask_times, ///< in a predictive space: when geoms subject and object meet, and the first `number` encounters of subject
     shape_margin, ///< for space subject: value[0]
     distort_geom, ///< geom subject gets a matrix that may be no rotation: that of turn_geom, changed as `number` selects, with
                   ///< two digits
