@@ -12,7 +12,6 @@ using namespace ode_predictive_space;
 using namespace ode_predictive_space::benchmarks;
 using namespace ode_predictive_space::worlds;
 
-/// Memory of a space after some ticks.
 struct Memory
 {
     double counted = 0;   ///< bytes as a predictive space counts them; 0 for others

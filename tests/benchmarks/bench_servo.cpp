@@ -31,7 +31,6 @@ nlohmann::json measure(ServoSettings settings)
     return records;
 }
 
-/// The probe slides over meshes of 1,000 and of 100,000 triangles.
 nlohmann::json measure_ridges(double seconds)
 {
     nlohmann::json records = nlohmann::json::array();

@@ -51,7 +51,6 @@ Means means_of(const WorldRun &run)
     return {broad, broad + summarise(run.contact_times()).mean, summarise(run.tick_times()).mean};
 }
 
-/// Our space comes first, then the others.
 std::vector<Means> measure(int objects, const std::string &ours, int ticks)
 {
     const WorldFactory factory({"mix", objects});

@@ -20,7 +20,6 @@ using recording::Recorder;
 Recorder *recorder = nullptr; // null: nothing is recorded
 std::size_t events = 0;       // number of recorded events
 
-/// A call that is passed on through the recorder.
 struct Call
 {
     Recorder::Event event;

@@ -18,7 +18,6 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Prints records with equal members as a table that has a column for each member.
 inline void print_records(const nlohmann::json &records)
 {
     worlds::Table::Row head;

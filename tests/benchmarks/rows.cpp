@@ -7,7 +7,6 @@ namespace
 using worlds::ticks_between_events;
 using worlds::ticks_of_life;
 
-/// A row for each of the first half seconds of a falling world.
 void add_parts(std::vector<Row> &all, const Row &row, int half_seconds)
 {
     constexpr const char *names[] = {"0.0s", "0.5s", "1.0s", "1.5s", "2.0s", "2.5s"};
@@ -45,7 +44,6 @@ const std::vector<Row> &scenes()
     return all;
 }
 
-/// The scenes, moved by steps of the world and contacts.
 const std::vector<Row> &stepped_scenes()
 {
     static const std::vector<Row> all = {

@@ -27,7 +27,6 @@ struct Row
     Ticks counted{};    ///< instructions counted by record_worlds and ode-predictive replay
     std::string part{}; ///< part of the world's time, if the row measures only a part
 
-    /// For example "gas" or "heap:0.5s".
     std::string name() const { return part.empty() ? world : world + ":" + part; }
     worlds::WorldSpec spec() const { return {world, objects}; }
 };

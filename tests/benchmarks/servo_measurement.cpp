@@ -21,7 +21,6 @@ haptics::RenderSettings render_settings()
     return settings;
 }
 
-/// A gas with a probe.
 class ServoScene
 {
 public:

@@ -26,7 +26,6 @@ void PrintTo(const Kind &kind, std::ostream *out)
     *out << kind.name;
 }
 
-// Random changes of all kinds that a space allows.
 class RandomProgram
 {
 public:

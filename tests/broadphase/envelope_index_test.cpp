@@ -18,7 +18,6 @@ TightBox tight(const FloatBox &box)
     return TightBox::of(box);
 }
 
-// An index over random envelopes, and the objects in it.
 class IndexWorld
 {
 public:

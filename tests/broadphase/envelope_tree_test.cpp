@@ -11,7 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A tree and its expected content.
 class CheckedTree
 {
 public:
@@ -174,7 +173,6 @@ TEST(EnvelopeTree, TellsWhenItHasBecomeMuchWorseByRefitting)
     EXPECT_TRUE(CheckedTree().refit([](const FloatBox &box) { return box; })) << "empty as before";
 }
 
-// Depth of a tree with full nodes.
 int ideal_depth(std::size_t leaves)
 {
     int depth = 1;
@@ -183,7 +181,6 @@ int ideal_depth(std::size_t leaves)
     return depth;
 }
 
-// A probe that counts the nodes that it is compared with.
 class CountingProbe
 {
 public:

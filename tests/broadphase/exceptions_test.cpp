@@ -97,7 +97,6 @@ protected:
         change();
     }
 
-    // Whether an uninterrupted update sweeps all objects.
     bool sweeps() const
     {
         World world = world_;

@@ -11,7 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Counts the objects that the scene is asked about.
 class CountingWorld : public World
 {
 public:

@@ -52,7 +52,6 @@ protected:
         }
     }
 
-    // Cost of the contacts of all pairs in this many reports.
     static float contacts(int reports) { return static_cast<float>(reports) * pairs * tuning::cost_of_contacts; }
 
     static constexpr int pairs = 10;

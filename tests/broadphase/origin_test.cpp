@@ -26,7 +26,6 @@ Object near_object(Random &random, const Vector3 &origin)
     return random.chance(0.5) ? ball(centre, size, {0, 0, 0}) : box(centre, Vector3::Constant(size), {0, 0, 0}, true);
 }
 
-// Compares in extended precision.
 bool holds_from(const Vector3 &origin, const FloatBox &outer, const Box &inner)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -113,7 +112,6 @@ TEST(Origin, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
     EXPECT_GT(left, 1000);
 }
 
-// Balls and blocks that fly around a place. Half of them have no body.
 class Swarm
 {
 public:

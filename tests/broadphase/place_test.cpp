@@ -21,7 +21,6 @@ const Origin origin; // the program's own
 
 constexpr Watch formulas[] = {Watch::sphere, Watch::capsule, Watch::box, Watch::cylinder};
 
-// A power of ten, or a number of moderate size.
 double any_size(Random &random, double least, double most)
 {
     return random.chance(0.5) ? random.uniform(0.1, 10) : std::pow(10, random.uniform(least, most));

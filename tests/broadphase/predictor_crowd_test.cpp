@@ -38,7 +38,6 @@ TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereA
     EXPECT_GT(mean_reach_after(1000), at_first);
 }
 
-// Objects that fly or fall, with steps of any length.
 class Flock
 {
 public:
@@ -96,7 +95,6 @@ TEST(Predictor, WhatFallsIsPredictedAlmostAsSeldomAsWhatFlies)
 {
     EXPECT_LE(Flock(0, 1).predictions_of(200), 2 * Flock(0, 0).predictions_of(200));
 }
-// Balls that fly apart.
 class Cloud
 {
 public:

@@ -30,7 +30,6 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-// Objects of all kinds that fly, fall and turn.
 class Swarm
 {
 public:

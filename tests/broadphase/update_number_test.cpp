@@ -133,7 +133,6 @@ TEST_F(UpdateNumberTest, TicksAreExactAndInvalidOperationsNoneWhateverTheNumber)
     }
 }
 
-// Balls that are tested by shape.
 class WorldOfBalls : public World
 {
 public:

@@ -20,7 +20,6 @@ namespace
 {
 constexpr double edge = 0.4, apart = 0.7; // metres
 
-/// Boxes in rows on a floor; the first one can be pushed.
 class Boxes : public control::OpenDEEnvironment
 {
 public:

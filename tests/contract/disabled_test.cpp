@@ -146,7 +146,6 @@ void disable_in_first_callback(void *data, dGeomID first, dGeomID second)
     }
 }
 
-// The space gets ten spheres in one place.
 int pairs_of_a_geom_after_a_callback_disabled_it(dSpaceID space, bool second)
 {
     for (int i = 0; i < 10; ++i)

@@ -262,7 +262,6 @@ TEST_F(Contract, 13_OthersAreNotPoisoned)
     EXPECT_EQ(scene.log().back(), Pairs({{0, 1}}));
 }
 
-// A user class with a given bounding box, relative to its position.
 dGeomID create_boxed(const std::array<dReal, 6> &box)
 {
     static const int number = [] {

@@ -19,7 +19,6 @@ struct FewGeoms : OdeTest
         dWorldDestroy(world);
     }
 
-    // Each sphere overlaps the next in the row.
     dGeomID add()
     {
         const dGeomID geom = number_geom(dCreateSphere(space, 1), static_cast<int>(geoms.size()));

@@ -233,7 +233,6 @@ class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>
 INSTANTIATE_TEST_SUITE_P(Golden, GoldenScene, testing::ValuesIn(scenes),
                          [](const auto &info) { return std::string(info.param.name); });
 
-// All callbacks of a run, in ticks and queries.
 std::vector<Pairs> callbacks(const Scene &scene, SpaceKind kind)
 {
     constexpr int ticks = 300;

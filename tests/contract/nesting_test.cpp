@@ -58,7 +58,6 @@ dSpaceID make_quadtree(Scenario &, dSpaceID parent)
     return dQuadTreeSpaceCreate(parent, centre, extents, 3);
 }
 
-// Two cars of several geoms each pass each other and a few posts.
 void run_cars(Scenario &scene, const MakeSpace &make)
 {
     std::vector<dBodyID> bodies;

@@ -56,7 +56,6 @@ constexpr std::array act_names{"collide", "collide2", "clean",  "bounds", "valid
                                "move",    "take out", "put in", "destroy"};
 constexpr std::array questions{Act::collide, Act::collide2, Act::clean, Act::bounds};
 
-/// An operation on the space of a level.
 struct Step
 {
     Act act;
@@ -65,7 +64,6 @@ struct Step
 };
 using Steps = std::vector<Step>;
 
-/// The result of a step.
 struct Answer
 {
     Pairs pairs;

@@ -43,7 +43,6 @@ void move_on(Scenario &scene, dGeomID geom)
     }
 }
 
-// The first row of the body's matrix has the direction (1, 1, 1).
 void turn_row(dBodyID body)
 {
     const dReal third = 1 / std::sqrt(REAL(3.0)), half = 1 / std::sqrt(REAL(2.0)), sixth = 1 / std::sqrt(REAL(6.0));

@@ -15,7 +15,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-/// The history of a scene of 400 geoms before the queries of the threads.
 struct Past
 {
     const char *name;
@@ -69,7 +68,6 @@ protected:
         }
     }
 
-    // The pairs of a probe that visits all places, and recurses into nested spaces.
     static std::vector<Pairs> ask(dSpaceID space, int first_place)
     {
         std::vector<Pairs> answers(rounds);

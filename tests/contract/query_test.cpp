@@ -167,7 +167,6 @@ TEST_F(Contract, 09_SpacesAgainstSpacesOfEveryKind)
     });
 }
 
-// Every other sphere is on a moving body.
 std::vector<dBodyID> add_rows(Scenario &scene, int count)
 {
     std::vector<dBodyID> movers;

@@ -112,7 +112,6 @@ Answer balls_touch(const Ball &one, const Ball &other)
     return std::abs(distance - reach) < rounding * (1 + reach) ? std::nullopt : Answer(distance < reach);
 }
 
-// Whether the line of the ray meets the box grown by a margin.
 bool meets(dGeomID ray, const dReal *box, double margin)
 {
     const dReal *start = dGeomGetPosition(ray), *R = dGeomGetRotation(ray);
@@ -182,7 +181,6 @@ bool boxes_overlap(dGeomID one, dGeomID other)
 
 using GeomPairs = std::vector<std::pair<dGeomID, dGeomID>>;
 
-// A few geoms of all classes in a small room, with a random history.
 class Room
 {
 public:
@@ -200,7 +198,6 @@ public:
     dGeomID geom(int number) const { return geoms_[static_cast<std::size_t>(number)].id; }
     int count() const { return static_cast<int>(geoms_.size()); }
 
-    // A few geoms are changed, while the others move on.
     void change()
     {
         for (int i = calm_ ? one_in(20) : one_in(4) ? 8 : 1; i > 0; --i)
@@ -389,7 +386,6 @@ TEST_F(ReportBySphere, AnswersARayFromTheGeomsAlone)
     EXPECT_GT(left_out, 500) << "the measure made no difference";
 }
 
-// The plate is at a distance of 3 from its position, and 2 wide.
 dGeomID create_plate(dSpaceID space)
 {
     static const float corners[] = {3, -1, -1, 3, 1, -1, 3, 1, 1, 3, -1, 1};

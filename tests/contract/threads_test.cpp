@@ -12,7 +12,6 @@ namespace
 {
 using Contract = OdeTest;
 
-// A grid of falling and rising spheres that cross one another.
 void fill(Scenario &scene, int seed)
 {
     for (int i = 0; i < 60; ++i)
@@ -94,7 +93,6 @@ TEST_F(Contract, 16_ASpaceMadeInOneThreadIsCollidedInAnother)
     EXPECT_EQ(collide(scene.space()).size(), 36u);
 }
 
-// Steps a world with worker threads, which move the geoms in any order.
 class Workers
 {
 public:

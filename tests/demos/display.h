@@ -54,7 +54,6 @@ public:
     VirtualDisplay(const VirtualDisplay &) = delete;
     VirtualDisplay &operator=(const VirtualDisplay &) = delete;
 
-    /// The value for DISPLAY.
     const std::string &name() const { return name_; }
 
 private:

@@ -24,7 +24,6 @@ public:
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
         return z ^ (z >> 31);
     }
-    /// 0 to count - 1
     int below(int count) { return static_cast<int>(bits() % static_cast<std::uint64_t>(std::max(count, 1))); }
     double between(double low, double high)
     {
@@ -198,7 +197,6 @@ private:
                 {random_.between(0, 0.1), random_.between(0, 0.01), random_.between(0, 0.001)});
     }
 
-    // Number of changes between two stretches of time.
     int surprises()
     {
         switch (profile_.flavour)
@@ -236,7 +234,6 @@ private:
             go_to_extremes();
     }
 
-    // Many objects get other velocities or are replaced.
     void explode()
     {
         const double part = random_.between(0.1, 1);
@@ -396,7 +393,6 @@ private:
             make_geom(any_geom());
     }
 
-    // @return the number of ticks.
     int let_time_pass(int most)
     {
         if (is(Flavour::calm) || random_.chance(is(Flavour::mixed) || is(Flavour::pile) ? 0.2 : 0.02))

@@ -36,7 +36,6 @@ public:
     /// dSpaceCollide2(), sorted, each pair as it came; empty if one of the two does not exist.
     Pairs query(int first, int second);
 
-    /// dPredictiveSpaceValidate() of all predictive spaces.
     bool valid() const;
 
     /// Applies to present and future predictive spaces.

@@ -12,7 +12,6 @@ namespace
 {
 using AllocationFaults = OdeTest;
 
-/// The state and the call of a program when memory runs out.
 struct Situation
 {
     const char *name;

@@ -9,7 +9,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-/// The state and the call of a program when one of its functions throws.
 struct Call
 {
     const char *name;
@@ -127,7 +126,6 @@ TEST_P(EveryCall, TheNextTickIsExactWhicheverCallOfAUserClassThrows)
     RecordProperty("faults", faults);
 }
 
-// A near callback that throws after `spared` calls.
 struct NearFault
 {
     long spared;

@@ -49,7 +49,6 @@ private:
     static inline long spared_ = -1; // calls before the one that throws; negative: none throws
 };
 
-/// A gas that moves in the same way in each copy.
 class Gas
 {
 public:
@@ -105,7 +104,6 @@ public:
         }
     }
 
-    /// Changes all velocities, and makes some objects jump.
     void explode()
     {
         for (Body &body : bodies_)

@@ -42,7 +42,6 @@ double small(std::uint8_t byte)
     return std::pow(10, -9 + 9 * fraction(byte));
 }
 
-// Some directions are along an axis, some along a diagonal.
 Vector3d direction(std::uint8_t height, std::uint8_t around)
 {
     if (around < 48)

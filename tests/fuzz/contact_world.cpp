@@ -20,7 +20,6 @@ dReal real(double value)
     return static_cast<dReal>(value);
 }
 
-// Five vertices, three slivers.
 Polyhedron strip()
 {
     return {{{-1, -1, 0}, {-0.5, 1, 0.2}, {0, -1, 0}, {0.5, 1, 0.2}, {1, -1, 0}}, {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}}};

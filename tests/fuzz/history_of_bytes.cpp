@@ -50,7 +50,6 @@ public:
 
     Measure measure() const { return measure_; }
 
-    /// Appends the operations of the next bytes_per_operation bytes.
     void append(const std::uint8_t *bytes, std::vector<Operation> &operations)
     {
         if (bytes[0] < first_jumping)
@@ -62,7 +61,6 @@ public:
     }
 
 private:
-    // Spheres and boxes on a grid, some of which move.
     void append_crowd(const std::uint8_t *bytes, std::vector<Operation> &operations) const
     {
         const int count = bytes[3] % 200, every = 1 + bytes[2] % 16;
@@ -84,7 +82,6 @@ private:
         }
     }
 
-    // As after an explosion, many geoms get other places and velocities.
     void append_jumps(const std::uint8_t *bytes, std::vector<Operation> &operations) const
     {
         const int count = bytes[3] % 200;
@@ -104,7 +101,6 @@ private:
         }
     }
 
-    // `bytes` holds bytes_per_operation.
     Operation operation(const std::uint8_t *bytes) const
     {
         Operation made;

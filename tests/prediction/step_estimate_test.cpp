@@ -10,7 +10,6 @@ namespace
 {
 const Vector3 velocity(3, -1, 2);
 
-// Adds the displacements of a body that moves at `velocity`.
 void add_steps(StepEstimate &estimate, double step, int count)
 {
     for (int i = 1; i <= count; ++i)

@@ -18,7 +18,6 @@ public:
 
     const std::string &path() const { return file_.path(); }
 
-    /// A command whose programs all have that limit.
     static std::string limited(const std::string &command)
     {
         return "-c 'ulimit -f " + std::to_string(limit / 512) + "; exec " + command + "'";

@@ -29,7 +29,6 @@ inline Outcome launch(const std::string &arguments)
     return run(LAUNCHER, arguments);
 }
 
-/// A file that is empty at first, and removed at the end.
 class ScratchFile
 {
 public:
@@ -56,7 +55,6 @@ private:
     std::string path_;
 };
 
-/// A folder that is removed at the end, with its content.
 class ScratchFolder
 {
 public:

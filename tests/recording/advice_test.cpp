@@ -8,7 +8,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// Replays that differ by a hundredth.
 std::vector<double> about(double microseconds)
 {
     return {microseconds, 1.01 * microseconds, microseconds, 1.005 * microseconds, microseconds};

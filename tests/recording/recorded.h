@@ -16,7 +16,6 @@
 
 namespace ode_predictive_space::recording
 {
-/// Records collides of a space of any kind, as the launcher does.
 class Recorded
 {
 public:

@@ -36,7 +36,6 @@ inline std::unique_ptr<Stage> staged(const Recording &recording, SpaceKind kind 
     return stage;
 }
 
-// Compares all that a space sees of a geom, and all that is recorded of it and of its body.
 inline void expect_same(dGeomID before, dGeomID now)
 {
     EXPECT_EQ(difference(state_of(before), state_of(now)), 0);

@@ -17,7 +17,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// The bytes of a file, record by record.
 class Bytes
 {
 public:
@@ -54,7 +53,6 @@ public:
         return *this;
     }
 
-    // References of a geom to other records.
     struct Links
     {
         std::uint32_t parent = 0, data = 0, body = 0;

@@ -64,7 +64,6 @@ protected:
         }
     }
 
-    // A mesh of four triangles that is much longer than wide.
     dGeomID create_slivers(double length)
     {
         const double width = length * log_between(1e-4, 1e-2);
@@ -149,7 +148,6 @@ protected:
         put(geom, place, towards, by_contact && one_in(2) ? low : high + (one_in(4) ? -on : on));
     }
 
-    // Thinner than the slivers, and smaller.
     dGeomID create_thin(int type, double length)
     {
         if (type == dTriMeshClass)
@@ -273,7 +271,6 @@ protected:
         long contacts = 0, left_out = 0;
     };
 
-    // Destroys the geoms at the end.
     void look_at(dGeomID first, dGeomID second, Counts &counts)
     {
         const bool touching = touch(first, second), reported = may_touch(first, second);
@@ -365,7 +362,6 @@ protected:
     // A coordinate of a centre near an end of a side, beyond it by at most half a box.
     double beyond(double side, double half) { return (one_in(2) ? -1 : 1) * (0.5 * side + between(-0.2, 1) * half); }
 
-    // The result is in the frame of the heightfield.
     Vector3 centre_at(Border border, const Hills &hills, const Vector3 &half)
     {
         const int column = static_cast<int>(random_() % static_cast<unsigned>(hills.columns())),

@@ -19,7 +19,6 @@ constexpr int poses = of_cases(600000) / pairs_of_classes;
 #endif
 constexpr double rounding = 1e-13;
 
-// Two shapes that are close to each other and sometimes overlap.
 struct NearShapes
 {
     ConvexShape first, second;

@@ -15,7 +15,6 @@ namespace
 class FollowedGeom : public OdeTest
 {
 protected:
-    // One tick, with at most this many steps.
     double moved(dGeomID geom, std::size_t steps = HullMaker::all_steps)
     {
         return follow_geom(0, geom, hulls_, steps, shape_);

@@ -214,7 +214,6 @@ TEST_F(HullData, OfAMeshThatIsNotFiniteIsNone)
     EXPECT_EQ(pairs(), 1u) << "judged by its box";
 }
 
-// The triangles decide.
 TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
 {
     MeshArrays arrays(Polyhedron::cube().changed(3 * same, here));

@@ -22,7 +22,6 @@ struct Polyhedron
     static Polyhedron tetrahedron(); ///< inside the cube
     static Polyhedron square();      ///< with sides of 2 and one face
 
-    /// Adds another one as a separate part.
     void add(const Polyhedron &other);
 
     /// A copy whose corners are multiplied by a factor along each axis, and then moved.
@@ -36,7 +35,6 @@ public:
     explicit ConvexArrays(const Polyhedron &polyhedron);
     dGeomID create(dSpaceID space) const;
     void give_to(dGeomID convex) const;
-    /// Changes points in place; the planes stay.
     void move_points(const Eigen::Vector3d &by);
     /// Changes points and planes in place, to those of a polyhedron with the same faces.
     void change(const Polyhedron &polyhedron);

@@ -8,7 +8,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A hull that keeps its points for the test, relative to the centre.
 struct PointHull : VertexHull
 {
     explicit PointHull(const std::vector<Vector3> &given) : VertexHull(given), points(given)
@@ -121,7 +120,6 @@ Eigen::Matrix3d ShapeMaker::rotation()
     return (Eigen::AngleAxisd(slightly, direction()) * Eigen::AngleAxisd(angle, direction())).toRotationMatrix();
 }
 
-// A tetrahedron, a box or a cloud of points.
 ConvexShape ShapeMaker::hull()
 {
     const Vector3 sides(log_between(*this, 0.01, 0.5), log_between(*this, 0.01, 0.5), log_between(*this, 0.01, 0.5));

@@ -51,7 +51,6 @@ private:
 /// The hull of points in their place; for a mesh, with its triangles.
 ConvexShape hull_of(const std::vector<Vector3> &points, const std::shared_ptr<TriangleTree> &surface = nullptr);
 
-/// The shape, turned about its centre and then moved.
 ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const Vector3 &by);
 
 ConvexShape scaled(const ConvexShape &shape, double factor);

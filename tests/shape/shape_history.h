@@ -42,12 +42,10 @@ public:
     ShapeHistory(const ShapeHistory &) = delete;
     ShapeHistory &operator=(const ShapeHistory &) = delete;
 
-    /// Changes the scene and lets time pass.
     void advance();
 
     using GeomPairs = std::set<std::pair<dGeomID, dGeomID>>;
 
-    /// The result of one dSpaceCollide().
     struct Collision
     {
         GeomPairs contacts; ///< pairs with a contact

@@ -62,7 +62,6 @@ protected:
         return counters;
     }
 
-    // Waits until pairs of still objects rest.
     void let_rest()
     {
         for (int i = 0; i < 100; ++i)

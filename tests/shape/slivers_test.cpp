@@ -30,7 +30,6 @@ protected:
         return Vector3d(x, y, between(-1, 1)).normalized();
     }
 
-    // Five vertices within 2 m by 3 mm.
     Polyhedron slivers()
     {
         constexpr double length = 2, width = 3e-3;
@@ -64,7 +63,6 @@ protected:
         return dCollide(one, other, 4, contacts.data(), sizeof contacts[0]) > 0;
     }
 
-    // The last place away from `from` at which ODE finds a contact.
     static Vector3d last_contact(dGeomID box, dGeomID mesh, const Vector3d &from, const Vector3d &away)
     {
         double low = 0, high = 0.05;

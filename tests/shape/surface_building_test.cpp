@@ -46,7 +46,6 @@ protected:
         return ball;
     }
 
-    // The hand is far away from the bowl.
     dGeomID hand() const
     {
         const dGeomID hand = dCreateSphere(space, REAL(0.1));
@@ -66,7 +65,6 @@ protected:
         return count;
     }
 
-    // Number of ticks in which the pair of the ball is reported.
     int ticks_by_box(dGeomID ball, int ticks = 200)
     {
         int by_box = 0;

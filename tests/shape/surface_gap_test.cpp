@@ -18,7 +18,6 @@ namespace
 {
 constexpr std::size_t all_at_once = 1000000;
 
-// Triangles in arrays like those of a program.
 class Ground
 {
 public:
@@ -41,7 +40,6 @@ public:
                     triangles_.push_back(triangle);
     }
 
-    // The tree of the shape is ready.
     ConvexShape shape() const
     {
         const auto tree = std::make_shared<TriangleTree>(arrays());

@@ -54,7 +54,6 @@ Memory memory_now()
     return {heap.uordblks + heap.hblkhd, resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE))};
 }
 
-/// The counters of a space.
 struct Work
 {
     struct Counter
@@ -184,7 +183,6 @@ void expect_same_work(const Quarters &quarters)
     expect_same_work("near, not reported", quarters[1].unreported, quarters[3].unreported);
 }
 
-/// The properties are for the XML file of a run.
 void record(const Quarters &quarters)
 {
     const Memory early = quarters[1].most, late = quarters[3].most;

@@ -40,7 +40,6 @@ protected:
         }
     }
 
-    // Most geoms go elsewhere, and are far apart again.
     void explode()
     {
         for (dBodyID body : bodies)

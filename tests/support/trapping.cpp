@@ -41,7 +41,6 @@ int add_if_ours(dl_phdr_info *object, std::size_t, void *)
     return 0;
 }
 
-// Places in the code, without repetition.
 constexpr int most_noted = 16;
 std::atomic<int> noted{0};
 std::atomic<std::uintptr_t> noted_places[most_noted];

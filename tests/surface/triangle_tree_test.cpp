@@ -17,7 +17,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A mesh in arrays like those of a program.
 class Mesh
 {
 public:

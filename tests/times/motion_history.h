@@ -9,7 +9,6 @@
 
 namespace ode_predictive_space
 {
-/// Contents of the histories.
 struct MotionTally
 {
     long questions = 0;

@@ -27,11 +27,9 @@ public:
     /// To be called before the world is stepped.
     void advance();
 
-    /// Changes velocity and spin where the geom is.
     void change_motion(Random &random);
 
     dGeomID geom() const { return geom_; }
-    /// Ticks since the motion began.
     int age() const { return age_; }
 
 private:

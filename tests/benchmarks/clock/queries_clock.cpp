@@ -11,7 +11,6 @@ namespace
 {
 using namespace worlds;
 
-/// Queries that are made in each tick.
 struct Query
 {
     std::string name;

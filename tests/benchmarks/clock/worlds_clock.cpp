@@ -76,7 +76,6 @@ void count_calls(benchmark::State &state, const WorldRun &run)
     state.counters["collide_us"] = summarise(run.collide_times()).mean;
 }
 
-/// One repetition: a new world, ticks that are not timed, then ticks that are.
 void clock_world(benchmark::State &state, const Row &row, const std::string &space, Part part)
 {
     const WorldFactory &factory = factory_of(row.spec());

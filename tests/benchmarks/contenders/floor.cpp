@@ -49,7 +49,6 @@ public:
         }
     }
 
-    /// Adds the pairs of one more tick.
     void learn(const std::vector<IndexPair> &pairs)
     {
         if (by_index_.size() != slots())

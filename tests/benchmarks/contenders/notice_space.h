@@ -31,7 +31,6 @@ public:
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
 protected:
-    /// Called when a geom leaves.
     virtual void forget(Slot) {}
 
     /// Slots of the geoms that have moved or were added since the last call, with boxes up to date. A slot may occur twice.

@@ -87,7 +87,6 @@ public:
     /// All overlapping pairs of enabled objects, by brute force.
     Pairs overlapping() const;
 
-    /// Pairs that are tested at each report.
     std::size_t tested_pairs() const { return broadphase.near_pairs() - broadphase.waiting_pairs(); }
 
     /// A violation of the invariant, or an empty string. The broad phase must be up to date.

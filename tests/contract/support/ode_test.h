@@ -27,7 +27,6 @@ public:
     OdeMessages(const OdeMessages &) = delete;
     OdeMessages &operator=(const OdeMessages &) = delete;
 
-    /// Messages of dMessage() since this object was made.
     static std::string text();
 
 private:
@@ -39,7 +38,6 @@ private:
 /// Runs `call` and returns the text that ODE's handlers get from it: an error, an assertion, or messages.
 std::string ode_complaint(const std::function<void()> &call);
 
-/// Whether ODE was built with assertions, and so checks its arguments.
 bool ode_has_assertions();
 
 /// ODE is up. An unexpected assertion, error or message of ODE fails the test.
@@ -52,7 +50,6 @@ private:
     OdeMessages messages_;
 };
 
-/// Starts ODE in a thread of a test and ends it there.
 class OdeThread
 {
 public:

@@ -15,11 +15,9 @@ namespace ode_predictive_space
 using Pair = std::pair<int, int>;
 using Pairs = std::vector<Pair>;
 
-/// The number from number_geom(), which is kept as the geom's data.
 int geom_number(dGeomID geom);
 dGeomID number_geom(dGeomID geom, int number);
 
-/// The callbacks of one dSpaceCollide() or dSpaceCollide2(), in their order.
 Pairs collide(dSpaceID space);
 Pairs collide2(dGeomID first, dGeomID second);
 
@@ -43,7 +41,6 @@ enum class SpaceKind
     predictive
 };
 
-/// A world, a space of one kind, and the log of the space's reports.
 class Scenario
 {
 public:
@@ -59,7 +56,6 @@ public:
 
     dSpaceID make_space(dSpaceID parent) const;
 
-    /// The numbers are 0, 1, 2, ...
     dGeomID numbered(dGeomID geom) { return number_geom(geom, next_number_++); }
     dGeomID sphere(dReal radius, dReal x, dReal y, dReal z);
     dGeomID box(dReal side, dReal x, dReal y, dReal z);
@@ -72,7 +68,6 @@ public:
     void tick();
     /// dSpaceCollide2(), logged with the pairs sorted, but each pair as it came.
     void query(dGeomID first, dGeomID second);
-    /// A step of the world, the same in every run.
     void step(dReal seconds);
     void note(const Pairs &pairs) { log_.push_back(pairs); }
 

@@ -103,7 +103,6 @@ static void show_members(dSpaceID space)
     dSpaceSetManualCleanup(space, 0);
 }
 
-/* Changes of a program between two ticks. */
 static void change(dSpaceID space, dGeomID *spheres, int tick)
 {
     int i;

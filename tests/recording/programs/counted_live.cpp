@@ -75,7 +75,6 @@ dReal hill(void * /*data*/, int column, int row)
     return std::sin(REAL(0.7) * static_cast<dReal>(column)) * std::cos(REAL(0.5) * static_cast<dReal>(row));
 }
 
-// Bodies that fly low over a heightfield, some with two geoms, one of which has an offset.
 class Terrain final : public Scene
 {
 public:
