@@ -59,7 +59,6 @@ TEST(PredictiveBench, MeasuresEachKindInAllSpacesAndWritesWhatItFound)
     EXPECT_TRUE(content.at("context").contains("ode"));
 }
 
-// A brief run covers each row and kind with few objects.
 TEST(PredictiveBench, AllSpacesAgreeInAllRows)
 {
     const Outcome outcome = run(PREDICTIVE_BENCH, "--brief");

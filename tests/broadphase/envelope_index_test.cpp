@@ -30,7 +30,6 @@ public:
         batch_.resize(count);
     }
 
-    // Some of the objects are already in the index.
     void update(std::size_t count)
     {
         batch_.clear();
@@ -129,7 +128,6 @@ TEST_P(AnyIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
         int sweeps = 0;
         for (int step = 0; step < 150; ++step)
         {
-            // The batch is one object, some, most or all.
             world.update(std::max<std::size_t>(1, count * static_cast<std::size_t>(step % 5) / 4));
             sweeps += world.swept();
             ASSERT_TRUE(world.consistent());

@@ -40,7 +40,6 @@ public:
         tree_.build(leaves);
     }
 
-    // Every leaf keeps its place in the tree.
     template <typename NewBox> bool refit(NewBox new_box)
     {
         std::vector<SweptProxy> leaves;

@@ -158,7 +158,6 @@ private:
         return object;
     }
 
-    // Applies every kind of change that is possible between two ticks.
     void change()
     {
         world_.advance();

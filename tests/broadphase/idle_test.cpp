@@ -156,7 +156,6 @@ TEST_P(Idle, DisablingDropsThePairs)
     expect_no_pairs();
 }
 
-// Dense heaps whose objects are disabled, enabled, moved, removed and added at random.
 TEST(IdleAtRandom, ReportsTheOverlappingPairsOfEnabledObjects)
 {
     constexpr std::size_t count = 200;

@@ -50,7 +50,6 @@ template <typename Value, typename Bits> Value from_bits(std::uint64_t bits)
     return value;
 }
 
-// An edge case, any bit pattern, or a number of moderate size.
 float any_float(Random &random)
 {
     switch (random.index(3))
@@ -91,7 +90,6 @@ Four lanes_of(Float4 vector)
     return lanes;
 }
 
-// All NaNs count as the same.
 bool same(float one, float other)
 {
     return (std::isnan(one) && std::isnan(other)) || std::memcmp(&one, &other, sizeof one) == 0;
@@ -240,7 +238,6 @@ Eight eight(Random &random)
     return values;
 }
 
-// A bit for each of sixteen lanes for which holds(lane) is true.
 template <typename Holds> unsigned bits_where(Holds holds)
 {
     unsigned bits = 0;

@@ -2,7 +2,7 @@
 """Writes a game for the engine DarkPlaces: a closed room and 60 boxes that fall into a heap by ODE. No file of any game is needed.
 
 The program of a game (progs.dat, version 6) is a header and tables. This one has the functions that the engine calls, each of which
-returns at once; all that happens is physics. The room is a model in Wavefront's format, and what is in it is a list beside it.
+returns at once; only physics happens. The room is a model in Wavefront's format, and its content is a list beside it.
 
 Usage: darkplaces_game.py FOLDER
 """

@@ -18,7 +18,6 @@ namespace
 class Numbers
 {
 public:
-    // A number from 0 to count - 1.
     int below(int count)
     {
         state_ = state_ * 6364136223846793005u + 1442695040888963407u;

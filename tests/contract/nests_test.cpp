@@ -304,7 +304,6 @@ std::vector<Nest> all_nests()
     return nests;
 }
 
-// Stops at the first difference.
 void expect_in_all_nests(const std::vector<Steps> &histories)
 {
     Tally tally;

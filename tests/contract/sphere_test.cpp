@@ -169,7 +169,6 @@ Answer by_definition(dGeomID one, dGeomID other)
     return both(balls_touch(ball_of(one), ball_of(other)), both(line_meets(one, other), line_meets(other, one)));
 }
 
-// The comparison is ODE's.
 bool boxes_overlap(dGeomID one, dGeomID other)
 {
     const bool one_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);

@@ -146,7 +146,6 @@ private:
     Universe tested_;
 };
 
-// Searches a shorter history that fails in the same way.
 class Shrinker
 {
 public:

@@ -54,8 +54,7 @@ enum class Action
     change_in_place,       ///< convex or mesh subject gets size value[0]; if it has its own data, these change in place
     ask_times, ///< in a predictive space: when geoms subject and object meet, and the first `number` encounters of subject
     shape_margin, ///< for space subject: value[0]
-    distort_geom, ///< geom subject gets a matrix that may be no rotation: that of turn_geom, changed as `number` selects, with
-                  ///< two digits
+    distort_geom, ///< geom subject gets a matrix that may be no rotation: that of turn_geom, changed by `number`, in hundredths
     distort_body, ///< body subject, likewise
     aim_ray,      ///< geom subject, if it is a ray: from value[0..2], in a direction that `number` selects
     last = aim_ray

@@ -123,7 +123,6 @@ private:
         return static_cast<Action>(first_ones + byte % (static_cast<int>(Action::last) + 1 - first_ones));
     }
 
-    // Limits the values to those that the action accepts.
     void fit(Operation &made, const std::uint8_t *bytes) const
     {
         switch (made.action)

@@ -13,7 +13,6 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// The status that the parent gets, as from waitpid().
 int raw_status(const std::string &command)
 {
     allow_preload();

@@ -6,7 +6,6 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// The output of a program without the preload.
 std::string native_output(const std::string &program, const std::string &arguments = "")
 {
     const Outcome outcome = run(program, arguments);

@@ -64,7 +64,6 @@ public:
 
     /// A dSpaceCollide2() of the space with a probe, which may be in this space or in none.
     Collision ask(dGeomID probe);
-    /// The result of a simple space for this query.
     Truth brute_force(dGeomID probe) const;
     /// Probes among the geoms: a ball and a ray, which go elsewhere each time, and one of the geoms.
     std::vector<dGeomID> probes();

@@ -38,7 +38,6 @@ public:
 
     dSpaceID space() const { return space_.get(); }
 
-    /// The pairs that dSpaceCollide() reported in the last tick, sorted.
     const std::vector<worlds::IndexPair> &pairs() const { return pairs_; }
 
 private:

@@ -221,7 +221,6 @@ const Object &World::seen(ProxyId id) const
     return objects_[id];
 }
 
-// Measures by formula where one applies, otherwise by the bounding box.
 void World::measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin)
 {
     for (std::size_t i = 0; i < count; ++i)
