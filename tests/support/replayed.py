@@ -6,7 +6,7 @@ import subprocess
 def compared(tool, recording):
     """Replays a recording in simple spaces, which check all pairs, and in predictive ones.
 
-    Returns the number of events, of those in which the program got other pairs than simple spaces find, and the replay's output.
+    Returns the number of events, of those in which the program got other pairs than simple spaces find, and the output.
     Raises RuntimeError if predictive spaces find other pairs than simple ones in the replay, or if there is no recording.
     """
     done = subprocess.run([tool, "replay", "--pairs", "--space", "box", recording], capture_output=True, text=True, check=False)
