@@ -9,8 +9,8 @@ rows    the rows of the data, in the order of the table's rows; not needed if th
 digits  the least number of digits of a whole number before its zeros; 3 by default.
 besides the other numbers of a paragraph.
 
-A table may be from several data (`stepped.json, contact.json`); each column is from the first that has it. A row that is missing
-in the data is shown as "–". `<!-- figures: none: REASON -->` gives the reason for missing data. In the pages of
+A table may be from several data (`stepped.json, contact.json`); each column is from the first that has it. A row that is
+missing in the data is shown as "–". `<!-- figures: none: REASON -->` gives the reason for missing data. In the pages of
 TABLES_ARE_FROM_DATA each table with figures has such a comment, in those of ALL_IS_FROM_DATA each paragraph with a measured
 figure, too.
 

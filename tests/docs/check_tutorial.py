@@ -2,12 +2,12 @@
 
 Usage: check_tutorial.py TOP PAGE SCRATCH COMPILER [PREFIX [FLAGS...]]
 
-TOP is the project's folder, SCRATCH one for the files of the page. A block of C++ that begins with a comment with the name of a
-file is written to that file. All blocks of `sh` run in one shell. A block of `text` is the output of the block before it; a line
-`...` of it stands for any lines. `c++` is COMPILER with FLAGS, which has warnings as errors.
+TOP is the project's folder, SCRATCH one for the files of the page. A block of C++ that begins with a comment with the name of
+a file is written to that file. All blocks of `sh` run in one shell. A block of `text` is the output of the block before it; a
+line `...` of it stands for any lines. `c++` is COMPILER with FLAGS, which has warnings as errors.
 
-A PREFIX in which the libraries are installed replaces the page's own build: blocks that call ./run are left out. Without it, they
-run in a copy of the project.
+A PREFIX in which the libraries are installed replaces the page's own build: blocks that call ./run are left out. Without it,
+they run in a copy of the project.
 """
 
 import os
