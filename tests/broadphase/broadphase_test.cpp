@@ -439,7 +439,6 @@ TEST(Broadphase, ObjectsThatLeapFarAwayAreTestedExactly)
     }
 }
 
-// Beyond the end of one of the forecasts nothing is known.
 TEST(Broadphase, TimesAreForAsLongAsBothForecastsHold)
 {
     const auto forecast = [](double x, double speed, double ticks) {

@@ -332,7 +332,7 @@ TEST_F(Contract, 11_AGeomThatHasMovedIsDirtyWhenItLeaves)
     dSpaceDestroy(predictive);
 }
 
-// New data make a mesh dirty without a notice, and its next move makes the outer space dirty without one.
+// New data make a mesh dirty without a notice, and its next move makes the space that holds it dirty without one, too.
 void expect_moves_are_noticed_beside_a_new_mesh(dSpaceID outer, dSpaceID nested)
 {
     static const float vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};

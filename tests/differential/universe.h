@@ -1,5 +1,3 @@
-// The world, geoms and spaces of a history.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_UNIVERSE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_UNIVERSE_H
 

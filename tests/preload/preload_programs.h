@@ -1,5 +1,3 @@
-// Functions to run programs with and without the preload.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
 

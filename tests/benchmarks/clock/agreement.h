@@ -1,5 +1,3 @@
-// Agreement of the spaces: all must find the same pairs.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
 
