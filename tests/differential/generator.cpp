@@ -127,8 +127,8 @@ private:
         add(Action::make_space, slot, parent, random_.below(kinds) + 16 * random_.below(2));
     }
 
-    // Most are in the previous space. Some begin a separate nest, which no predictive space contains. A quadtree space that does
-    // not destroy its geoms leaves them unfit for others.
+    // Most are in the previous space. Some begin a separate nest, which no predictive space contains. A quadtree space that
+    // does not destroy its geoms leaves them unfit for others.
     void make_deep_space(int slot)
     {
         const int parent = random_.chance(0.2) ? -1 : random_.chance(0.8) ? slot - 1 : random_.below(slot);

@@ -23,7 +23,7 @@ void expect(bool holds, const char *what)
     std::abort();
 }
 
-// So few that a file of random bytes can have more.
+// A file of random bytes can have more.
 constexpr std::size_t most_ticks = 20;
 
 void check(const Recording &recording)

@@ -139,7 +139,7 @@ TEST_F(ShapeSlivers, TouchNoThinBoxWithoutACallbackAtAnyNanometre)
     EXPECT_GT(left_out_, 0);
 }
 
-// With corners on one line or in one place, quotients by the height of a triangle are infinite, but must not trap.
+// If corners are on one line or in one place, divisions by the height of a triangle have no finite result, but must not trap.
 TEST_F(ShapeSlivers, OfNoHeightAreJudgedByTheirBoxes)
 {
     Polyhedron flat;

@@ -29,7 +29,7 @@ struct Object
     std::array<double, 12> rotation = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}; ///< three rows of four
 };
 
-/// In double precision.
+/// The bounding box in double precision.
 Box bounds_of(const Object &object);
 
 Solid solid_of(const Object &object);
