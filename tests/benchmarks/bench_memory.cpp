@@ -1,4 +1,4 @@
-// Bytes per geom, and whether they stay the same while geoms come and go.
+// Bytes per geom, and their growth while geoms come and go.
 
 #include "tests/benchmarks/heap.h"
 #include "tests/benchmarks/results.h"
@@ -12,11 +12,10 @@ using namespace ode_predictive_space;
 using namespace ode_predictive_space::benchmarks;
 using namespace ode_predictive_space::worlds;
 
-/// What a space holds after some ticks.
 struct Memory
 {
-    double counted = 0;   ///< bytes, as a predictive space counts; 0 for others
-    double allocated = 0; ///< bytes that the program has beyond what it had before the world
+    double counted = 0;   ///< bytes as a predictive space counts them; 0 for others
+    double allocated = 0; ///< bytes that the program has allocated since before the world
     double near = 0;      ///< pairs in the near set of a predictive space
 };
 
@@ -28,11 +27,10 @@ dPredictiveSpaceStats stats_of(dSpaceID space)
     return stats;
 }
 
-/// A world in a space, tick by tick.
 class MemoryRun
 {
 public:
-    /// @param collides false: the world alone, in a space that keeps nothing of its own.
+    /// @param collides false: the world is advanced without collision.
     MemoryRun(const WorldFactory &factory, SpaceKind kind, bool collides)
         : before_(heap_in_use()), space_(make_space(kind, factory)), world_(factory.make(space_.get())),
           collides_(collides)
@@ -60,7 +58,7 @@ public:
 
 private:
     double before_;
-    OwnedSpace space_; // before the world, whose geoms are in it
+    OwnedSpace space_; // outlives the world, whose geoms it holds
     std::unique_ptr<World> world_;
     bool collides_;
 };
@@ -86,8 +84,8 @@ nlohmann::json measure(const WorldSpec &spec, SpaceKind kind, int ticks)
             {"near pairs", memory.near}};
 }
 
-/// The largest of some samples in the second half of a run over the largest in the first half, without the first tenth, in which
-/// a space still fills up.
+/// The largest sample of the second half of a run, divided by that of the first half. The first tenth, in which a space still
+/// fills up, does not count.
 nlohmann::json measure_growth(const WorldSpec &spec, int ticks)
 {
     constexpr int samples = 100;

@@ -1,4 +1,4 @@
-// Haptic loops at their rate, by the wall clock: 10,000 objects at 1 kHz, a servo of its own at 4 kHz, the ridges of a mesh.
+// Haptic loops at their rate, by the wall clock: 10,000 objects at 1 kHz, a separate servo at 4 kHz, the ridges of a mesh.
 
 #include "tests/benchmarks/results.h"
 #include "tests/benchmarks/ridge_measurement.h"
@@ -10,9 +10,9 @@ using namespace ode_predictive_space;
 using namespace ode_predictive_space::benchmarks;
 using namespace ode_predictive_space::worlds;
 
-constexpr double fast_rate = 4000; // Hz; of a decoupled servo
+constexpr double fast_rate = 4000; // Hz, for a decoupled servo
 
-/// A space that does not keep up takes many times as long as the time that it simulates.
+/// A space that does not keep up runs many times longer than the time that it simulates.
 double seconds_for(SpaceKind kind, double seconds)
 {
     return kind == SpaceKind::predictive ? seconds : seconds / 8;
@@ -31,7 +31,6 @@ nlohmann::json measure(ServoSettings settings)
     return records;
 }
 
-/// The probe slides over meshes of 1,000 and of 100,000 triangles.
 nlohmann::json measure_ridges(double seconds)
 {
     nlohmann::json records = nlohmann::json::array();

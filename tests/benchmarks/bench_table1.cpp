@@ -1,4 +1,5 @@
-// The paper's Table 1, measured here: the gains of the predictive space over four others in its experiment, which is mix.
+// The paper's Table 1, measured here: the gains of the predictive space over four others in the paper's experiment, the world
+// mix.
 
 #include "demos/runs/world_run.h"
 #include "tests/benchmarks/contenders/contenders.h"
@@ -21,7 +22,7 @@ struct Other
 constexpr std::array<Other, 4> others = {
     {{"brute", "brute force"}, {"sap", "sweep & prune"}, {"quadtree", "quadtree"}, {"hash", "uniform grid"}}};
 
-/// A row of the paper's table: its gains in percent.
+/// A row of the paper's table, in percent.
 struct PaperRow
 {
     int objects;
@@ -39,7 +40,7 @@ constexpr int warm_up_ticks = 100;
 /// Mean microseconds per tick.
 struct Means
 {
-    double broad;  ///< dSpaceCollide(), whose callback only notes the pair
+    double broad;  ///< dSpaceCollide() with a callback that only notes the pair
     double narrow; ///< with dCollide() for each pair
     double whole;  ///< with contact joints and the step of the world
 };
@@ -50,7 +51,6 @@ Means means_of(const WorldRun &run)
     return {broad, broad + summarise(run.contact_times()).mean, summarise(run.tick_times()).mean};
 }
 
-/// Ours first, then the others.
 std::vector<Means> measure(int objects, const std::string &ours, int ticks)
 {
     const WorldFactory factory({"mix", objects});

@@ -1,4 +1,4 @@
-// The benchmarks as a user meets them: exit status, output, result file.
+// The benchmarks as a user runs them: exit status, output, result file.
 
 #include <filesystem>
 #include <fstream>
@@ -13,7 +13,6 @@ namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-/// A file that goes with this object.
 class ResultFile
 {
 public:
@@ -60,7 +59,6 @@ TEST(PredictiveBench, MeasuresEachKindInAllSpacesAndWritesWhatItFound)
     EXPECT_TRUE(content.at("context").contains("ode"));
 }
 
-// Each row and kind, with few objects.
 TEST(PredictiveBench, AllSpacesAgreeInAllRows)
 {
     const Outcome outcome = run(PREDICTIVE_BENCH, "--brief");

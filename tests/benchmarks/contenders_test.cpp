@@ -1,4 +1,4 @@
-// Whatever takes part finds the same pairs, in every scene.
+// All contenders find the same pairs in every scene.
 
 #include "demos/runs/world_run.h"
 #include "tests/benchmarks/contenders/contenders.h"
@@ -26,7 +26,7 @@ WorldRuns runs_of_all(const WorldSpec &spec)
     WorldRuns runs;
     for (const std::string &name : contender_names())
     {
-        // The floors must know the pairs beforehand, and in churn geoms come and go.
+        // The floors need the pairs beforehand; in churn geoms come and go.
         if (spec.name != "churn" || name.rfind("floor", 0) != 0)
         {
             runs.push_back(std::make_unique<WorldRun>(benchmarks::make_contender(name, factory), factory));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures all figures of docs/results anew, or those of the files that are named. Times need an idle host, and hours.
+"""Measures all figures of docs/results again, or those of the named files. Times need an idle host, and hours.
 
     figures.py --build build/release                    # all
     figures.py --build build/release stepped.json       # these
@@ -25,7 +25,7 @@ LIFE_NAMES = {"gas": "many", "spaces_in_spaces": "nested", "spaces_side_by_side"
 
 
 def clocked(build, kinds, worlds, repetitions):
-    """{(kind, world, n): {space: its benchmark}}: medians of the repetitions, which take turns with those of other spaces."""
+    """{(kind, world, n): {space: its benchmark}}: medians of the repetitions, which alternate with those of other spaces."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.json"
         subprocess.run([build / "tests/benchmarks/predictive_bench", f"--benchmark_filter=^({kinds})/({'|'.join(worlds)})/",
@@ -74,7 +74,7 @@ def stepped(build):
         if kind == "collide":
             scene, begin, end = part_of(world)
             ticks = found["tick", world, n]
-            for space in ticks:  # some contenders are no spaces that a program can have
+            for space in ticks:  # some contenders are not spaces that a program can use
                 yield {"table": "stepped", "scene": scene.replace("_stepped", ""), "n": n, "begin_s": begin, "end_s": end,
                        **timing(spaces, ticks, space)}
     for (_, world, n), spaces in clocked(build, "query", ["ask"], 5).items():

@@ -5,7 +5,6 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Bytes that the program has from its heap.
 inline double heap_in_use()
 {
     const struct mallinfo2 info = mallinfo2();

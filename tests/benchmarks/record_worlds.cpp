@@ -1,4 +1,4 @@
-// Records what a world tells its predictive space and asks it, for ode-predictive replay: each dSpaceCollide() and dSpaceCollide2().
+// Records each dSpaceCollide() and dSpaceCollide2() of a world on its predictive space, for ode-predictive replay.
 
 #include "demos/runs/command_line.h"
 #include "demos/runs/spaces.h"
@@ -18,9 +18,8 @@ using namespace ode_predictive_space::worlds;
 using recording::Recorder;
 
 Recorder *recorder = nullptr; // null: nothing is recorded
-std::size_t events = 0;       // that have been recorded
+std::size_t events = 0;       // number of recorded events
 
-/// One call on its way through the recorder.
 struct Call
 {
     Recorder::Event event;
@@ -41,7 +40,7 @@ template <typename Function> Function next_function(const char *name)
 }
 } // namespace
 
-// They stand before ODE's own in this program.
+// These definitions take precedence over ODE's in this program.
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 {
     static const auto real = next_function<decltype(&dSpaceCollide)>("dSpaceCollide");
@@ -66,15 +65,13 @@ void dSpaceCollide2(dGeomID first, dGeomID second, void *data, dNearCallback *ca
 
 namespace
 {
-/// In many, all worlds are the same: one of them is recorded.
+/// All worlds of many are the same, so one of them is recorded.
 WorldSpec recorded_spec(const WorldSpec &spec)
 {
     return spec.name == "many" ? life_of_many(spec) : spec;
 }
 
-/// Steps the world.
-///
-/// @return the number of the first event of each tick, and of the one after the last.
+/// @return the number of the first event of each tick, and the one after the last.
 std::vector<std::size_t> run(const WorldFactory &factory, int ticks)
 {
     OwnedSpace space(make_space(SpaceKind::predictive, factory));
@@ -90,7 +87,7 @@ std::vector<std::size_t> run(const WorldFactory &factory, int ticks)
         world->respond(pairs.sorted());
     }
     first_events.push_back(events);
-    dSpaceSetCleanup(space.get(), 0); // the geoms are the world's
+    dSpaceSetCleanup(space.get(), 0); // the world destroys the geoms
     space.reset();
     return first_events;
 }
@@ -116,7 +113,6 @@ int record(const WorldSpec &spec, int ticks, const std::string &path)
     return 0;
 }
 
-/// The rows whose instructions are counted.
 void list_rows()
 {
     nlohmann::json list = nlohmann::json::array();

@@ -1,4 +1,4 @@
-// What the small programs of this folder have in common: options, a table, a file with the same figures.
+// Common parts of the small programs of this folder: options, a table, a file with the same figures.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
@@ -18,7 +18,6 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Records, all with the same members, as a table: a column for each member.
 inline void print_records(const nlohmann::json &records)
 {
     worlds::Table::Row head;
@@ -41,10 +40,10 @@ inline void print_records(const nlohmann::json &records)
     std::cout << '\n' << std::flush;
 }
 
-/// The main() of a program that measures and prints. It has the option --json FILE and those that `add_options` adds.
+/// main() of a program that measures and prints. Its options are --json FILE and those that `add_options` adds.
 ///
 /// @param measure prints, and returns records for the file.
-/// @return the exit status: 0, or 2 when something failed or the command line is wrong.
+/// @return the exit status: 0, or 2 after a failure or for a wrong command line.
 template <typename AddOptions, typename Measure>
 int run_program(int argc, char **argv, const char *text, AddOptions add_options, Measure measure)
 {

@@ -18,7 +18,7 @@ constexpr double pressed_in = 0.003;        // m
 constexpr double free_for = 0.1;            // s, at the start
 constexpr double going_down_for = 0.2;      // s
 constexpr double largest_circle = 0.15;     // m
-constexpr double least_force = 0.1;         // N; below, a share of it says little
+constexpr double least_force = 0.1;         // N; below this a relative error says little
 
 struct Sample
 {
@@ -26,7 +26,7 @@ struct Sample
     haptics::Vector3 force;
 };
 
-/// Down into the ridges, then round.
+/// The probe's path: down into the ridges, then in a circle.
 class Circle
 {
 public:

@@ -1,4 +1,4 @@
-// The ridges that `predictive_bench servo` slides over, in simulated time.
+// The ridge measurement of bench_servo, in simulated time.
 
 #include "tests/benchmarks/ridge_measurement.h"
 

@@ -7,7 +7,6 @@ namespace
 using worlds::ticks_between_events;
 using worlds::ticks_of_life;
 
-/// The first half seconds of a world that falls.
 void add_parts(std::vector<Row> &all, const Row &row, int half_seconds)
 {
     constexpr const char *names[] = {"0.0s", "0.5s", "1.0s", "1.5s", "2.0s", "2.5s"};
@@ -16,7 +15,7 @@ void add_parts(std::vector<Row> &all, const Row &row, int half_seconds)
         all.push_back({row.world, row.objects, {i * per_part, per_part}, {}, names[i]});
 }
 
-/// One thing at a time, along given paths.
+/// Scenes with one kind of motion each, along given paths.
 const std::vector<Row> &scenes()
 {
     static const std::vector<Row> all = {
@@ -45,7 +44,6 @@ const std::vector<Row> &scenes()
     return all;
 }
 
-/// The same, moved by steps of a world and contacts.
 const std::vector<Row> &stepped_scenes()
 {
     static const std::vector<Row> all = {
@@ -66,7 +64,7 @@ const std::vector<Row> &stepped_scenes()
     return all;
 }
 
-/// Worlds as programs have them. Of a heap's fall the first half second is counted, and of its rest what follows 1.5 s.
+/// Worlds as programs have them. For a heap, the first half second of its fall is counted, and its rest after 1.5 s.
 const std::vector<Row> &programs()
 {
     static const std::vector<Row> all = {
@@ -115,7 +113,7 @@ const std::vector<Row> &programs()
     return all;
 }
 
-/// A tick in which everything moves at once or is new, the one after it, and the one after that.
+/// Rows for ticks in which everything moves at once or is new, and for each of the two ticks after these.
 void add_events(std::vector<Row> &all)
 {
     for (int later = 0; later < 3; ++later)

@@ -21,7 +21,6 @@ haptics::RenderSettings render_settings()
     return settings;
 }
 
-/// Gas with a probe, in a space of some kind.
 class ServoScene
 {
 public:
@@ -49,11 +48,11 @@ private:
     void collide() { dSpaceCollide(space_.get(), this, &near); }
 
     WorldSpec spec_;
-    OwnedSpace space_; // before what is in it
+    OwnedSpace space_; // outlives its content
     std::unique_ptr<World> objects_;
     haptics::HandPathDevice device_;
     haptics::HapticProbe probe_;
-    double started_ = 0; // s; when the present step began to collide
+    double started_ = 0; // s; when the current step began to collide
 };
 
 haptics::SceneWork ServoScene::work(haptics::LoopClock &clock)
@@ -71,7 +70,7 @@ haptics::SceneWork ServoScene::work(haptics::LoopClock &clock)
     return work;
 }
 
-// Until the space knows how the objects move. The probe stays where it is.
+// Runs until the space has learned how the objects move. The probe does not move.
 void ServoScene::warm_up()
 {
     for (int tick = 0; tick < warm_up_seconds * 1000; ++tick)

@@ -1,4 +1,4 @@
-// The loop that `predictive_bench servo` times, in simulated time.
+// The loop measurement of bench_servo, in simulated time.
 
 #include "tests/benchmarks/servo_measurement.h"
 

@@ -1,4 +1,4 @@
-// Which ODE a benchmark ran with: Debian's is built with assertions, others may not be.
+// The ODE that a benchmark ran with: Debian's is built with assertions, others may not be.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_WHICH_ODE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_WHICH_ODE_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// One line: the library's file, its configuration as it tells it, and whether its assertions are on.
+/// One line: the library's file, its configuration, and whether its assertions are on.
 std::string which_ode();
 } // namespace ode_predictive_space::benchmarks
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Instructions per tick in the worlds of demos/worlds: recorded by record_worlds, counted by ode-predictive replay.
 
-Counted are dSpaceCollide(), or what the world calls in its place, and the notices of what moved. Two runs of the same program
-give the same counts, also on a busy machine.
+The counts are for dSpaceCollide(), or the world's calls in its place, and for the notices of moves. Two runs of the same
+program give the same counts, also on a busy machine.
 
     worlds_table.py --build build/release --json before.json              # count; then change the library and build it
     worlds_table.py --build build/release --against before.json           # count again, and the change in percent
@@ -24,7 +24,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 
 
 def version():
-    """The commit of the library, "-dirty" when files are changed."""
+    """The commit of the library, with "-dirty" if files are changed."""
     done = subprocess.run(["git", "-C", TOP, "describe", "--always", "--dirty"], capture_output=True, text=True, check=False)
     return done.stdout.strip() or "unknown"
 
@@ -35,8 +35,8 @@ def output_of(*command):
 
 def spaces_for(row, chosen):
     """In a simulated processor a tick of the slow spaces takes seconds: with 1,000 objects simple and hash are far from the best,
-    except where rays ask. Where spaces are in a space, quadtree and sap report them all, as they have no bounds there, and a
-    program would ask about each; the recording has only what it asked in a predictive space."""
+    except for rays. Nested spaces have no bounds in quadtree and sap, which report all of them, and a program would query each;
+    the recording has only the queries to a predictive space."""
     if chosen:
         return chosen
     if row["n"] >= 50000:
@@ -48,7 +48,7 @@ def spaces_for(row, chosen):
 
 
 def window_of(row, first_events):
-    """(first event, event after the last, events from one to the next) of the counted ticks."""
+    """(first event, event after the last, distance between events) of the counted ticks."""
     ticks = [row["first"] + i * row["every"] for i in range(row["ticks"])]
     if row["every"] == 1:
         return first_events[ticks[0]], first_events[ticks[-1] + 1], 1
@@ -57,7 +57,7 @@ def window_of(row, first_events):
 
 
 def count(build, row, chosen, contacts):
-    """A record for each space; raises when a predictive one reports other pairs than a simple space."""
+    """A record for each space; raises if a predictive one reports other pairs than a simple space."""
     with tempfile.TemporaryDirectory() as folder:
         recording, result = pathlib.Path(folder) / "world.odehist", pathlib.Path(folder) / "result.json"
         printed = output_of(build / "tests/benchmarks/record_worlds", row["scene"], row["n"], "--ticks", row["to_make"],
@@ -65,11 +65,11 @@ def count(build, row, chosen, contacts):
         first, end, every = window_of(row, json.loads(printed)["first_events"])
         spaces = spaces_for(row, chosen)
         kinds = [word for space in spaces for word in ("--space", SPACES[space])]
-        if row["n"] >= 5000:  # a simple space would take minutes for the pairs
+        if row["n"] >= 5000:  # a simple space would take minutes
             kinds += ["--reference", "box"]
         if contacts:
             kinds.append("--contacts")
-        if row["scene"] == "many":  # which are made and destroyed all the time
+        if row["scene"] == "many":  # its worlds are created and destroyed all the time
             kinds.append("--whole-life")
         done = subprocess.run(
             list(map(str, [build / "ode_predictive_space/preload/ode-predictive", "replay", *kinds, "--from", first, "--to", end,

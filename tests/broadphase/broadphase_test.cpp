@@ -14,11 +14,11 @@ struct Kind
 {
     const char *name;
     std::size_t objects;
-    double spread; ///< half the side of the cube that they live in
+    double spread; ///< half the side of the cube that holds them
     double speed;  ///< largest displacement per tick and axis
-    double unrest; ///< chance that an object does something unexpected in a tick
+    double unrest; ///< chance of an unexpected change of an object in a tick
     double jumps;  ///< chance of a tick in which everything jumps
-    double grid;   ///< everything is a multiple of it: many objects touch exactly; 0: no grid
+    double grid;   ///< all coordinates are multiples of it, so many objects touch exactly; 0: no grid
 };
 
 void PrintTo(const Kind &kind, std::ostream *out)
@@ -26,7 +26,6 @@ void PrintTo(const Kind &kind, std::ostream *out)
     *out << kind.name;
 }
 
-// A program that uses all that a space allows.
 class RandomProgram
 {
 public:
@@ -153,7 +152,7 @@ private:
         case 4:
             return world_.remove(id);
         case 5:
-            // Its box changes, its sphere does not.
+            // Its box changes but its sphere does not.
             if (object.half.allFinite())
                 world_.turn(id, random_.vector(1) + Vector3(1.5, 0, 0), random_.uniform(-3, 3));
             return;
@@ -168,7 +167,7 @@ private:
             world_.touch(id);
             return;
         case 8:
-            // Its body tells a velocity that it does not have, or it loses its body.
+            // The body reports a velocity that it does not have, or the object loses its body.
             object.velocity = random_.chance(0.5) ? std::optional<Vector3>(random_.vector(10)) : std::nullopt;
             world_.touch(id);
             return;
@@ -176,11 +175,11 @@ private:
             return lose(id);
         case 10:
         case 11:
-            // Without notice.
+            // The broad phase gets no notice.
             object.enabled = !object.enabled;
             return;
         case 12:
-            // As a geom with an offset, whose pose has to be computed first.
+            // The pose of a geom with an offset has to be computed first.
             object.has_pose = !object.has_pose;
             world_.touch(id);
             return;
@@ -195,7 +194,7 @@ private:
         const double places[] = {nan, infinity, -infinity, 1e12, -1e20, 1e200, 3e200, -1e39};
         Vector3 centre = world_.object(id).centre;
         centre[static_cast<int>(random_.index(3))] = places[random_.index(8)];
-        // Most come back at once: the lost ones all overlap each other.
+        // Most come back at once, as lost objects all overlap each other.
         world_.place(id, centre);
         if (random_.chance(0.7))
             world_.place(id, snapped(random_.vector(kind_.spread)));
@@ -211,7 +210,7 @@ class AnyWorld : public testing::TestWithParam<Kind>
 
 TEST_P(AnyWorld, ReportsExactlyTheOverlappingPairsAtEveryTick)
 {
-    const int ticks = GetParam().objects > 100 ? 60 : 600; // brute force takes long
+    const int ticks = GetParam().objects > 100 ? 60 : 600; // brute force is slow
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
     {
         RandomProgram program(GetParam(), seed);
@@ -385,7 +384,7 @@ TEST(BroadphaseMemory, StaysFlatInLongChurn)
     EXPECT_LE(world.broadphase.bytes(), before + before / 2);
 }
 
-// Near pairs that had become stale were removed at a report only. In a program without reports all of them stayed.
+// Once, stale near pairs were removed only at a report, so without reports they accumulated.
 TEST(BroadphaseMemory, StaysFlatInAProgramWithoutReports)
 {
     World world;
@@ -406,7 +405,8 @@ TEST(BroadphaseMemory, StaysFlatInAProgramWithoutReports)
     EXPECT_LE(world.broadphase.near_pairs(), 200u);
 }
 
-// Each time farther away than anything has been, where single precision cannot tell small gaps. The envelopes have an end, or none.
+// Each leap goes farther than any object has been, where single precision cannot resolve small gaps. The envelopes are finite
+// or infinite.
 TEST(Broadphase, ObjectsThatLeapFarAwayAreTestedExactly)
 {
     constexpr int pairs = 40;
@@ -439,7 +439,6 @@ TEST(Broadphase, ObjectsThatLeapFarAwayAreTestedExactly)
     }
 }
 
-// Beyond the end of one of the forecasts nothing is known.
 TEST(Broadphase, TimesAreForAsLongAsBothForecastsHold)
 {
     const auto forecast = [](double x, double speed, double ticks) {

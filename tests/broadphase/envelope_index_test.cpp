@@ -18,7 +18,6 @@ TightBox tight(const FloatBox &box)
     return TightBox::of(box);
 }
 
-// An index over random envelopes, and which of them are in it.
 class IndexWorld
 {
 public:
@@ -31,7 +30,6 @@ public:
         batch_.resize(count);
     }
 
-    // New envelopes for some objects. Some of these are in the index already.
     void update(std::size_t count)
     {
         batch_.clear();
@@ -69,7 +67,6 @@ public:
         present_.clear();
     }
 
-    // Those that the last update found.
     void expect_pairs_of_batch() const
     {
         const Pairs pairs = sorted_pairs(found_);
@@ -131,7 +128,6 @@ TEST_P(AnyIndex, FindsWhatBruteForceFindsWhateverIsUpdated)
         int sweeps = 0;
         for (int step = 0; step < 150; ++step)
         {
-            // One by one, some, most and all.
             world.update(std::max<std::size_t>(1, count * static_cast<std::size_t>(step % 5) / 4));
             sweeps += world.swept();
             ASSERT_TRUE(world.consistent());

@@ -11,7 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A tree and the list of what must be in it.
 class CheckedTree
 {
 public:
@@ -41,7 +40,6 @@ public:
         tree_.build(leaves);
     }
 
-    // Every leaf stays where it is in the tree.
     template <typename NewBox> bool refit(NewBox new_box)
     {
         std::vector<SweptProxy> leaves;
@@ -174,7 +172,6 @@ TEST(EnvelopeTree, TellsWhenItHasBecomeMuchWorseByRefitting)
     EXPECT_TRUE(CheckedTree().refit([](const FloatBox &box) { return box; })) << "empty as before";
 }
 
-// Depth of a tree whose nodes are full.
 int ideal_depth(std::size_t leaves)
 {
     int depth = 1;
@@ -183,7 +180,6 @@ int ideal_depth(std::size_t leaves)
     return depth;
 }
 
-// A probe that counts how many nodes it is asked about.
 class CountingProbe
 {
 public:
@@ -213,7 +209,7 @@ Effort effort_of(const EnvelopeTree &tree, const FloatBox &box)
     return effort;
 }
 
-// Cubes of side 1 of which 100 share a cube of side 10, as a room of this many has it.
+// Unit cubes, on average 100 in a cube of side 10, whatever their number.
 std::vector<SweptProxy> spread_cubes(Random &random, std::size_t count)
 {
     const double spread = 0.5 * std::cbrt(10.0 * static_cast<double>(count));
@@ -226,8 +222,8 @@ std::vector<SweptProxy> spread_cubes(Random &random, std::size_t count)
     return cubes;
 }
 
-// O(log n + k): the nodes looked at for each level of an ideal tree and each leaf found, in the mean of 100 queries about
-// boxes of the size of the others.
+// Nodes visited, per level of an ideal tree and per leaf found, in 100 queries with cubes of the tree. The ratio is bounded if
+// a query is O(log n + k).
 double nodes_per_level_and_leaf(const EnvelopeTree &tree, const std::vector<SweptProxy> &cubes)
 {
     Effort effort;
@@ -252,9 +248,9 @@ TEST(EnvelopeTree, AQueryLooksAtFewNodesOfMany)
         EnvelopeTree filled, built;
         for (const SweptProxy &cube : cubes)
             filled.insert(cube.proxy, cube.box);
-        EXPECT_LE(nodes_per_level_and_leaf(filled, cubes), 3.5) << count << " one by one"; // 1.5 to 2.8 were measured
+        EXPECT_LE(nodes_per_level_and_leaf(filled, cubes), 3.5) << count << " one by one"; // measured: 1.5 to 2.8
         built.build(cubes);
-        EXPECT_LE(nodes_per_level_and_leaf(built, cubes), 1.4) << count << " at once"; // 1.1 to 1.2
+        EXPECT_LE(nodes_per_level_and_leaf(built, cubes), 1.4) << count << " at once"; // measured: 1.1 to 1.2
     }
 }
 
@@ -277,7 +273,7 @@ TEST(EnvelopeTree, QueriesThatGoDownTogetherFindWhatEachFindsAlone)
     {
         EnvelopeTree tree;
         tree.build(spread_cubes(random, count));
-        // Large ones, of which even one fills the room of a walk, among small ones.
+        // Among the small probes are large ones that fill the buffer of a walk even alone.
         std::vector<BoxProbe> probes;
         for (std::size_t i = 0; i < EnvelopeTree::most_together; ++i)
             probes.emplace_back(random.box(20, i % 4 == 0 ? 1000 : 5));
@@ -296,7 +292,7 @@ TEST(EnvelopeTree, QueriesThatGoDownTogetherFindWhatEachFindsAlone)
 
 TEST(EnvelopeTree, LargeQueriesFindEachLeafOnce)
 {
-    // More than a walk has room for at once.
+    // The result is larger than the buffer of a walk.
     Random random(2);
     CheckedTree checked;
     for (const SweptProxy &cube : spread_cubes(random, 20000))

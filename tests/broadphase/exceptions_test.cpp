@@ -1,4 +1,4 @@
-// A scene that throws: the tick that is broken off is made good by the next update.
+// A scene that throws: the next update completes the interrupted tick.
 
 #include <stdexcept>
 
@@ -16,16 +16,16 @@ struct Fault : std::runtime_error
     Fault() : std::runtime_error("fault") {}
 };
 
-// Another scene, of which one call throws.
+// A scene that forwards to another until one call throws.
 class FaultyScene : public Scene
 {
 public:
-    /// @param calls that succeed.
+    /// @param calls number of calls that succeed.
     FaultyScene(Scene &scene, int calls) : scene_(scene), calls_left_(calls) {}
 
     void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override
     {
-        // Some are measured before the fault.
+        // Half of the objects are measured before the fault.
         scene_.measure(ids, count / 2, places, origin);
         call();
         scene_.measure(ids, count, places, origin);
@@ -71,15 +71,15 @@ private:
 enum class Moment
 {
     first,      // nothing is known of any object
-    few_leave,  // their envelopes
-    most_leave, // so many that all are swept
+    few_leave,  // few objects leave their envelopes
+    most_leave, // so many leave that all are swept
 };
 
 class Exceptions : public testing::TestWithParam<Moment>
 {
 protected:
     static constexpr std::size_t count = 300;
-    static constexpr ProxyId removed[] = {7, 200}; // after an update that broke off
+    static constexpr ProxyId removed[] = {7, 200}; // after an interrupted update
 
     Exceptions() : random_(static_cast<std::uint64_t>(GetParam()) + 1)
     {
@@ -92,12 +92,11 @@ protected:
             world_.advance();
             world_.tick();
             for (ProxyId id : removed)
-                world_.broadphase.forecast(world_, id, 0); // it is sampled from then on
+                world_.broadphase.forecast(world_, id, 0); // starts the sampling of its motion
         }
         change();
     }
 
-    // Is all swept in an update that does not break off?
     bool sweeps() const
     {
         World world = world_;
@@ -105,9 +104,9 @@ protected:
         return world.broadphase.counters().sweeps > world_.broadphase.counters().sweeps;
     }
 
-    // Runs one update that breaks off after so many calls, then whole ones.
+    // Runs an update that is interrupted after this many calls, then complete ones.
     //
-    // @return false when the update needed no more calls.
+    // @return false if the update was completed by these calls.
     bool survives(int calls, bool is_tick, bool with_changes)
     {
         World world = world_;
@@ -135,7 +134,7 @@ protected:
 
     void expect_all_survived(bool is_tick, bool with_changes)
     {
-        // Of many calls, one in seven throws.
+        // If there are many calls, only every seventh of them throws.
         constexpr int few = 40;
         int calls = 0;
         while (survives(calls, is_tick, with_changes) && !HasFailure())
@@ -159,7 +158,6 @@ private:
         return object;
     }
 
-    // All that can happen between two ticks.
     void change()
     {
         world_.advance();
@@ -177,7 +175,7 @@ private:
             world_.remove(id);
         for (int i = 0; i < 15; ++i)
             world_.add(random_object());
-        // Single precision cannot tell whether these touch.
+        // Single precision cannot decide whether these touch.
         world_.place(4, {5, 0, 0});
         world_.place(5, {5 + world_.object(4).half.x() + world_.object(5).half.x(), 0, 0});
     }

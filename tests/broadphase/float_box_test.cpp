@@ -11,7 +11,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Any pattern of bits is a double: all magnitudes are equally frequent, denormal numbers, infinities and NaN among them.
+// Every bit pattern is a double: all magnitudes are equally frequent, and denormal numbers, infinities and NaN occur.
 double any_bits(Random &random)
 {
     const std::uint64_t bits = random.bits();
@@ -20,7 +20,7 @@ double any_bits(Random &random)
     return value;
 }
 
-// Somewhere near a float: on it, beside it, or between it and the next.
+// A value on a float, beside it, or halfway to the next one.
 double near_a_float(Random &random)
 {
     const std::uint32_t bits = static_cast<std::uint32_t>(random.bits());
@@ -105,7 +105,7 @@ TEST(FloatBox, RoundsEachSideAsRoundingDoes)
     Random random(10);
     for (int i = 0; i < 200000; ++i)
     {
-        const bool tame = random.chance(0.5); // so that all six are finite as floats
+        const bool tame = random.chance(0.5); // keeps all six sides finite as floats
         const auto any_side = [&] { return tame ? random.uniform(-1e6, 1e6) : any_bits(random); };
         const Vector3 low(any_side(), any_side(), any_side()), high(any_side(), any_side(), any_side());
         const FloatBox box = FloatBox::around(Box(low, high));

@@ -1,4 +1,4 @@
-// Idle objects: disabled ones are in no reported pair, so no pairs are looked for and kept for them.
+// Idle objects: disabled objects are in no reported pair, so their pairs are neither searched nor kept.
 
 #include "ode_predictive_space/broadphase/objects/idle_objects.h"
 
@@ -11,7 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Counts about how many objects the broad phase asks.
 class CountingWorld : public World
 {
 public:
@@ -46,8 +45,8 @@ public:
     std::size_t measured = 0, observed = 0, compared = 0, polled = 0;
 };
 
-// Many disabled spheres on one spot, and a few others far away from each other that move, so that time passes. So many that
-// envelopes are in a tree, or few enough for a list.
+// Many disabled spheres in one place, and a few others that move far apart, so that time passes. The envelopes are in a tree
+// or, for a small crowd, in a list.
 class Idle : public testing::TestWithParam<ProxyId>
 {
 protected:
@@ -142,8 +141,8 @@ TEST_P(Idle, DisablingDropsThePairs)
     tick();
     EXPECT_GE(world.broadphase.near_pairs(), 435u);
     set_enabled(10, 30, false);
-    tick(); // the pairs come up for report
-    tick(); // the first objects of them are looked at
+    tick(); // the report meets the disabled objects
+    tick(); // the first of them are checked
     while (world.broadphase.near_pairs() > 45)
     {
         const std::size_t before = world.broadphase.near_pairs();
@@ -157,7 +156,6 @@ TEST_P(Idle, DisablingDropsThePairs)
     expect_no_pairs();
 }
 
-// Dense heaps in which objects are disabled, enabled, moved, removed and added at random.
 TEST(IdleAtRandom, ReportsTheOverlappingPairsOfEnabledObjects)
 {
     constexpr std::size_t count = 200;

@@ -1,4 +1,4 @@
-// Looks that spare nothing are given up, and those that spare reports go on.
+// Checks that save no reports are given up; checks that save reports continue.
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,9 @@ protected:
             budget.note_new_pair(mesh);
     }
 
-    // Reports of all pairs in which looks, wherever they are allowed, take about so many instructions and find nothing.
+    // Reports all pairs. Each allowed check takes about `cost` instructions and finds nothing.
     //
-    // @return what was spent on them.
+    // @return the total cost of the checks.
     float look_in_vain(int reports, float cost)
     {
         const float work = cost / tuning::cost_of_reach;
@@ -42,7 +42,6 @@ protected:
         return spent;
     }
 
-    // Reports in which all pairs are spared.
     void spare(int reports)
     {
         for (int report = 0; report < reports; ++report)
@@ -53,7 +52,6 @@ protected:
         }
     }
 
-    // What contacts cost in so many reports of all pairs.
     static float contacts(int reports) { return static_cast<float>(reports) * pairs * tuning::cost_of_contacts; }
 
     static constexpr int pairs = 10;

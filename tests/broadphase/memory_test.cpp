@@ -9,7 +9,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-using Half = std::array<std::uint8_t, 32>; // of a cache line
+using Half = std::array<std::uint8_t, 32>; // half a cache line
 using Halves = std::vector<Half, CacheLineAllocator<Half>>;
 
 bool begins_with_a_line(const Halves &halves)

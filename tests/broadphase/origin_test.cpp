@@ -18,7 +18,7 @@ Vector3 far_place(Random &random)
     return random.vector(std::pow(10, random.uniform(0, 9)));
 }
 
-// An object that is near the origin as seen from there, at a distance of the program's own.
+// An object at most a thousand sizes away from the origin, on each axis.
 Object near_object(Random &random, const Vector3 &origin)
 {
     const double size = std::pow(10, random.uniform(-6, 2));
@@ -26,7 +26,6 @@ Object near_object(Random &random, const Vector3 &origin)
     return random.chance(0.5) ? ball(centre, size, {0, 0, 0}) : box(centre, Vector3::Constant(size), {0, 0, 0}, true);
 }
 
-// Computed more exactly than in double precision.
 bool holds_from(const Vector3 &origin, const FloatBox &outer, const Box &inner)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -113,7 +112,6 @@ TEST(Origin, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
     EXPECT_GT(left, 1000);
 }
 
-// Balls and blocks that fly about, around a place. Half of them have no body.
 class Swarm
 {
 public:
@@ -196,7 +194,7 @@ TEST(Origin, StaysWhereRoundingDoesNotShow)
     EXPECT_EQ(swarm.world.broadphase.origin().place(), Vector3::Zero());
 }
 
-// As in a world with a ground.
+// A world has an infinite ground, which must not hold the origin back.
 TEST(Origin, WhatHasNoEndDoesNotHoldIt)
 {
     Swarm swarm(Vector3(5e6, 0, 0));

@@ -1,4 +1,4 @@
-// What single precision tells of where an object is must never be wrong, whatever the numbers are.
+// Answers from single-precision places must never be wrong, whatever the numbers are.
 
 #include "ode_predictive_space/broadphase/objects/place.h"
 
@@ -17,17 +17,16 @@ namespace ode_predictive_space
 {
 namespace
 {
-const Origin origin; // that of the program
+const Origin origin; // the program's own
 
 constexpr Watch formulas[] = {Watch::sphere, Watch::capsule, Watch::box, Watch::cylinder};
 
-// A power of ten, or a number of moderate size.
 double any_size(Random &random, double least, double most)
 {
     return random.chance(0.5) ? random.uniform(0.1, 10) : std::pow(10, random.uniform(least, most));
 }
 
-// The largest sum of both is a float still.
+// The sizes are limited so that the largest sum is still a float.
 Object any_solid(Random &random)
 {
     Object object;
@@ -66,7 +65,7 @@ bool contains(const FloatBox &outer, const Box &inner)
     return true;
 }
 
-// As ODE compares: what is not a number overlaps.
+// NaN overlaps everything, as in ODE's comparison.
 bool overlap(const Box &one, const Box &other)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -104,7 +103,7 @@ TEST(Place, ATightBoxIsTight)
     }
 }
 
-// ODE in single precision computes its boxes with a rounding of its own.
+// ODE in single precision rounds its boxes differently.
 TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
 {
     Random random(3);
@@ -112,7 +111,7 @@ TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
     {
         const Object object = any_solid(random);
         if (object.formula == Watch::cylinder)
-            continue; // measured by ODE, then
+            continue; // then ODE measures it
         float position[3], rotation[12], side[3];
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -122,8 +121,7 @@ TEST(Place, ATightBoxHoldsWhatIsComputedInSinglePrecision)
         for (std::size_t k = 0; k < 12; ++k)
             rotation[k] = static_cast<float>(object.rotation[k]);
         Place place;
-        ASSERT_TRUE(
-            place.measure({object.formula, side[0] / 2, side[1] / 2, side[2] / 2}, position, rotation, origin));
+        ASSERT_TRUE(place.measure({object.formula, side[0] / 2, side[1] / 2, side[2] / 2}, position, rotation, origin));
         Box computed;
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -158,7 +156,7 @@ TEST(Place, NoFormulaHoldsForWhatIsNotFinite)
     EXPECT_EQ(placed(object).watch(), Watch::nothing);
 }
 
-// Where it is not a number it may be anywhere.
+// A side that is NaN becomes infinite.
 TEST(Place, TheBoxOfTheProgramIsHeldWhateverItIs)
 {
     for (double bad : {nan, infinity, -infinity, 1e39, -1e39, 1e200, -1e200, 1e-300})
@@ -173,7 +171,7 @@ TEST(Place, TheBoxOfTheProgramIsHeldWhateverItIs)
         }
 }
 
-// Two boxes that nearly touch, or not, each measured by its formula or as the program computes it.
+// Two boxes that nearly touch, each measured by formula or computed by the program.
 struct TwoBoxes
 {
     Box boxes[2];
@@ -238,7 +236,7 @@ TEST(Place, IsNeverWrongAboutWhetherBoxesOverlap)
     EXPECT_GT(unsure, 100000) << "the test is about what nearly touches";
 }
 
-// Two sides that overflow single precision look alike there.
+// Sides that overflow single precision are equal there.
 TEST(Place, IsNotSureOfBoxesThatAreFartherAwayThanSinglePrecisionReaches)
 {
     for (double scale : {1.0, -1.0})
@@ -253,7 +251,7 @@ TEST(Place, IsNotSureOfBoxesThatAreFartherAwayThanSinglePrecisionReaches)
     }
 }
 
-// An envelope around a sphere, and centres near the borders of where they are allowed.
+// The envelope is around a sphere, and the centres are near the borders of the region allowed to them.
 TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
 {
     Random random(6);
@@ -287,7 +285,7 @@ TEST(Place, TheWatchOfTheCentreLetsNoObjectPassThatLeavesItsEnvelope)
     EXPECT_GT(left, 10000);
 }
 
-// Of an object that was predicted by its sphere and has met others.
+// The object was predicted by its sphere, and has met others since.
 TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
 {
     Random random(8);
@@ -311,7 +309,7 @@ TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
     }
 }
 
-// All that is asked about two places, in vectors whose fourth lanes hold other things.
+// Every test of two places, with vectors whose fourth lanes hold other data.
 [[gnu::noinline]] int asked(Place &one, const Place &other, const Object &object)
 {
     int answers = 0;
@@ -326,11 +324,11 @@ TEST(Place, ATightenedEnvelopeHoldsTheObjectAndIsNoLargerThanBefore)
     return answers;
 }
 
-// Programs may trap them.
+// Programs may trap invalid operations.
 TEST(Place, NoUpdateNumberMakesAnOperationInvalid)
 {
     Object object = ball({1, 2, 3}, 0.5, {0, 0, 0});
-    const Box boxes[] = {bounds_of(object), Box(Vector3::Constant(-1), Vector3(1, 1, 1e200))}; // the second is in doubt
+    const Box boxes[] = {bounds_of(object), Box(Vector3::Constant(-1), Vector3(1, 1, 1e200))}; // the second overflows
     constexpr Watch watches[] = {Watch::nothing, Watch::carried, Watch::centre,  Watch::sphere,
                                  Watch::capsule, Watch::box,     Watch::cylinder};
     Random random(8);

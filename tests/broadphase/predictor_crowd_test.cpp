@@ -1,4 +1,4 @@
-// Predictions of many objects that are near one another, or that move in steps of any length.
+// Predictions of many objects that are close together, or that move in steps of any length.
 
 #include "ode_predictive_space/broadphase/predict/predictor.h"
 
@@ -14,7 +14,7 @@ namespace
 {
 constexpr double ball_radius = 0.1;
 
-// A lattice of balls that fly all in the same direction, so near to each other that envelopes of the first reach overlap.
+// A lattice of balls that fly in one direction, so close together that envelopes of the first reach overlap.
 TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereAreNone)
 {
     World world;
@@ -38,7 +38,6 @@ TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereA
     EXPECT_GT(mean_reach_after(1000), at_first);
 }
 
-// Objects that fly or fall, with steps of any length.
 class Flock
 {
 public:
@@ -96,7 +95,6 @@ TEST(Predictor, WhatFallsIsPredictedAlmostAsSeldomAsWhatFlies)
 {
     EXPECT_LE(Flock(0, 1).predictions_of(200), 2 * Flock(0, 0).predictions_of(200));
 }
-// Balls that fly apart.
 class Cloud
 {
 public:
@@ -128,7 +126,7 @@ public:
     World world;
 };
 
-// The balls' velocities are those of the first tick on; how long a step is has to be guessed.
+// The velocities hold from the first tick on, but the step size has to be guessed.
 TEST(Predictor, FewObjectsLeaveTheirFirstEnvelopesAtOnce)
 {
     Cloud cloud;
@@ -168,7 +166,7 @@ TEST(Predictor, LeapsDoNotTellHowLongAStepIs)
     }
 }
 
-// An envelope that leaps along would be that of the other role.
+// An envelope that leaps with the object would still be that of the old role.
 TEST(Predictor, AnObjectThatLeapsAndGetsAnotherRoleIsPredictedByThat)
 {
     Cloud cloud;
@@ -183,7 +181,7 @@ TEST(Predictor, AnObjectThatLeapsAndGetsAnotherRoleIsPredictedByThat)
     EXPECT_GE(envelope.high[1], 105);
 }
 
-// It has turned in a way that its envelope does not allow for.
+// The envelope does not allow for this turn.
 TEST(Predictor, AnObjectThatLeapsAndHasTurnedGetsAnotherEnvelope)
 {
     Cloud cloud;

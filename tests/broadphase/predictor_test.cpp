@@ -17,7 +17,7 @@ namespace
 constexpr double step = World::step;
 constexpr double radius = 0.1;
 
-// One object that moves. The others stand still, far away.
+// One moving object. The others stand still, far away.
 class Lone
 {
 public:
@@ -28,7 +28,7 @@ public:
             world.add(ball({-1000, -1000, 1.0 * i}, radius, {0, 0, 0}));
         world.tick();
         begun_ = world.broadphase.counters().repredictions;
-        forecast(); // from now on it is sampled
+        forecast(); // starts the sampling of its motion
     }
 
     void tick()
@@ -38,7 +38,7 @@ public:
         ASSERT_EQ(world.violated_invariant(), "");
     }
 
-    // Moved as ODE moves a body: with the velocity that it has at the end of the step, which lasts so many times the usual one.
+    // Moves it as ODE moves a body: with the velocity at the end of the step, which is length() times as long as usual.
     void fly(
         int ticks, const Vector3 &gravity = Vector3::Zero(), const std::function<double()> &length = [] { return 1; })
     {
@@ -66,7 +66,7 @@ public:
 
 private:
     static constexpr int others = 16;
-    std::uint64_t begun_ = 0; // predictions before it first moved
+    std::uint64_t begun_ = 0; // predictions before its first move
 };
 
 Object moving_ball(const Vector3 &velocity)
@@ -74,7 +74,7 @@ Object moving_ball(const Vector3 &velocity)
     return ball({0, 0, 0}, radius, step * velocity);
 }
 
-// Without a body that tells its velocity.
+// A ball without a body, so without a known velocity.
 Object alone(const Vector3 &centre)
 {
     Object object = ball(centre, radius, {0, 0, 0});
@@ -96,7 +96,7 @@ TEST(Predictor, UniformMotionIsPredictedForLongerAndLonger)
     EXPECT_GE(predictions.front(), predictions.back());
 }
 
-// An envelope across the whole room would meet everything.
+// An extrapolated leap would be an envelope across the room, which meets everything.
 TEST(Predictor, ALeapIsNotExtrapolated)
 {
     Lone lone(alone({0, 0, 0}));
@@ -110,7 +110,7 @@ TEST(Predictor, ALeapIsNotExtrapolated)
     }
 }
 
-// Its path would be many sizes long, and over at the next tick.
+// The path would be many sizes long, and used up at the next tick.
 TEST(Predictor, WhatGoesFartherInATickThanAnEnvelopeReachesIsNotExtrapolated)
 {
     for (const Object &object : {moving_ball({2000, 0, 0}), alone({0, 0, 0})})
@@ -176,7 +176,7 @@ TEST(Predictor, JitterEndsInSlack)
     EXPECT_EQ(lone.predictions(), before);
 }
 
-// Moved by the program while its body claims to fly elsewhere.
+// The program moves the object while its body reports another velocity.
 TEST(Predictor, AVelocityThatExplainsNothingIsNotTrusted)
 {
     Lone lone(moving_ball({-3, 0, 0}));
@@ -225,7 +225,6 @@ TEST(Predictor, AHandIsRecognisedAndPredictedFromItsPositions)
     }
     EXPECT_EQ(lone.record().role, Role::interactive);
     EXPECT_LT(lone.predictions(), ticks / 10u);
-    // In the middle of a reach.
     const Vector3 before = lone.object().centre;
     const Forecast forecast = lone.forecast();
     for (int tick = ticks; tick < ticks + 10; ++tick)
@@ -316,7 +315,7 @@ TEST(Predictor, InfiniteBoundsKeepTheirFiniteSide)
     EXPECT_TRUE(lone.forecast().still());
 }
 
-// Whatever the numbers are.
+// Sizes, places and velocities have any magnitude.
 TEST(Predictor, AnEnvelopeHoldsItsObjectWhenItIsMade)
 {
     Random random(4);
@@ -356,7 +355,7 @@ float farthest_side(const World &world)
     return farthest;
 }
 
-// Adds enough objects that only a few of them are reviewed in a tick.
+// Adds so many objects that a tick reviews only a few of them.
 void add_row(World &world)
 {
     for (int i = 0; i < 300; ++i)
@@ -388,12 +387,12 @@ TEST(Predictor, TheFarthestPlaceMayBeInAnEnvelopeWithoutEnd)
     EXPECT_FALSE(world.broadphase.proxies().places[far].has_end());
     EXPECT_GE(world.broadphase.farthest(), farthest_side(world));
     world.place(far, {1e7, 0, 0});
-    world.broadphase.note_disabled(far); // it gets another envelope
+    world.broadphase.note_disabled(far); // gives it another envelope
     world.tick();
     EXPECT_GE(world.broadphase.farthest(), farthest_side(world)) << "before it is reviewed";
 }
 
-// An object far away makes the comparisons of all others less certain: that has to end when it is back, or gone.
+// A distant object makes the comparisons of all others less certain. This must end when it is back or removed.
 TEST(Predictor, TheFarthestPlaceFollowsTheObjectsThatAreThere)
 {
     for (const bool is_removed : {false, true})

@@ -12,7 +12,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// By clipping the line to the three slabs of the box, grown by `margin`.
+// Clips the line to the three slabs of the box, grown by `margin`.
 bool line_meets(const Vector3 &start, const Vector3 &end, const FloatBox &box, long double margin)
 {
     long double enter = 0, leave = 1;
@@ -36,9 +36,9 @@ bool line_meets(const Vector3 &start, const Vector3 &end, const FloatBox &box, l
 struct Region
 {
     const char *name;
-    double offset; // from the origin
-    double length; // of the lines, at most
-    double size;   // of the boxes, at most
+    double offset; // distance from the origin
+    double length; // largest length of the lines
+    double size;   // largest size of the boxes
 };
 
 void PrintTo(const Region &place, std::ostream *out)
@@ -60,7 +60,7 @@ TEST_P(AnyRay, MeetsWhateverClippingMeetsAndHardlyMore)
     {
         const Vector3 start = origin + random.vector(place.length);
         Vector3 end = origin + random.vector(place.length);
-        // Along an axis, in a plane, a point.
+        // Some lines are along an axis, in a plane, or a point.
         for (int axis = 0; axis < 3; ++axis)
             if (random.chance(0.1))
                 end[axis] = start[axis];
@@ -115,7 +115,7 @@ TEST(RayProbe, WhatIsInfiniteOrNotANumberIsMet)
 
 TEST(RayProbe, ATreeIsFollowedAlongTheLine)
 {
-    // A room with 20,000 cubes of side 0.2, and lines across it: their bounding boxes hold a tenth of all.
+    // A room with 20,000 cubes of side 0.2. The bounding boxes of the lines across it hold a tenth of the cubes.
     Random random(6);
     EnvelopeTree tree;
     std::vector<FloatBox> boxes;

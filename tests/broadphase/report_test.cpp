@@ -1,4 +1,4 @@
-// What the report of a move tells, and when it is none.
+// Reports of moves, and reports that count as none.
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,10 @@ namespace
 {
 enum class Watched
 {
-    alone,        ///< by its centre
-    near_another, ///< by its bounding box
+    alone,        ///< watched by its centre
+    near_another, ///< watched by its bounding box
 };
 
-// An object that is reported again and again.
 class ReportOfAMove : public testing::TestWithParam<Watched>
 {
 protected:
@@ -33,13 +32,13 @@ protected:
         return id;
     }
 
-    // Is the report enough without a closer look?
+    // Whether the report is enough without a closer check.
     bool settles(ProxyId id)
     {
         return world.broadphase.report_at_once(id, Noticed(world.object(id))) == Followed::moved;
     }
 
-    // The same, and all is up to date afterwards.
+    // As above, for a report before a tick that is checked.
     bool counts_in_tick(ProxyId id)
     {
         const std::uint64_t before = world.broadphase.counters().moved;
@@ -109,7 +108,7 @@ TEST_P(ReportOfAMove, IsNoneWhenNothingHasChanged)
     }
 }
 
-// Each change has its report: this one has the same pose as the last.
+// Each change is reported; the second report has the pose of the first.
 TEST_P(ReportOfAMove, CountsWhenTheSizeHasChangedAndThePoseHasNot)
 {
     for (const Object &solid : solids())
@@ -143,7 +142,6 @@ TEST_P(ReportOfAMove, AnObjectThatGrowsMeetsItsNeighbour)
     }
 }
 
-// Single precision does not tell these from no move; the pairs must.
 TEST_P(ReportOfAMove, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
 {
     const ProxyId one = add(box({0, 0, 0}, {0.5, 0.5, 0.5}, {0, 0, 0}, true));
@@ -156,7 +154,7 @@ TEST_P(ReportOfAMove, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
     EXPECT_FALSE(touches());
     for (int i = 0; i < 100; ++i)
     {
-        // Now and then the pair comes to rest.
+        // Pauses let the pair come to rest.
         world.object(other).centre.x() = i % 2 ? 1 + 1e-12 : 1 - 1e-12;
         EXPECT_EQ(world.touch(other), i % 10 == 1) << "after a rest it is not known how it was";
         EXPECT_EQ(touches(), i % 2 == 0);
@@ -165,7 +163,7 @@ TEST_P(ReportOfAMove, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
     }
 }
 
-// A box that turns about its centre, in an envelope that holds it however it turns.
+// The box turns about its centre, in an envelope that holds it in every orientation.
 TEST_P(ReportOfAMove, WhatTurnsMeetsWhatItTurnsTo)
 {
     const ProxyId bar = add(box({0, 0, 0}, {1, 0.01, 0.01}, {0, 0, 0}, true));

@@ -1,4 +1,4 @@
-// Pairs of two objects that have not moved for a while are not tested any more, until one of them changes.
+// Pairs of two objects that have not moved for a while are not tested until one of them changes.
 
 #include <cmath>
 
@@ -14,8 +14,8 @@ namespace
 {
 constexpr int long_enough = 200;
 
-// A row of boxes of which each touches the next, a pair that only just does not, and one object far away that moves all
-// the time, so that time passes.
+// A row of boxes of which each touches the next, a pair with a tiny gap, and a distant object that always moves, so that time
+// passes.
 class Resting : public testing::Test
 {
 protected:
@@ -55,7 +55,7 @@ TEST_F(Resting, PairsThatDoNotMoveAreNotTested)
     EXPECT_GE(world.broadphase.near_pairs(), std::size_t{count - 1});
 }
 
-// Many questions between two ticks: stale pairs of the near set are dropped in between.
+// Many searches between two ticks drop stale pairs of the near set in between.
 TEST_F(Resting, NoPairIsReportedTwiceAfterManyQuestions)
 {
     constexpr int crowd = 60;
@@ -87,7 +87,7 @@ TEST_F(Resting, PairsThatMoveAreTestedOn)
     EXPECT_LE(tested(), 4u);
 }
 
-// Whichever of the reports between two looks for pairs that may rest sees the move.
+// Only some reports check which pairs may rest. A move before any of the reports in between must be seen.
 TEST_F(Resting, PairsThatMoveOnceBetweenTwoLooksAreTestedOn)
 {
     constexpr auto period = static_cast<int>(tuning::reports_per_rest);

@@ -1,5 +1,5 @@
-// Every operation of the vocabulary beside plain arithmetic, lane by lane and bit for bit. Both implementations of it are
-// tested by this file: the second time in broadphase_without_sse2_tests.
+// Every operation of the vector arithmetic against plain arithmetic, lane by lane and bit for bit. This file tests both
+// implementations, the second in broadphase_without_sse2_tests.
 
 #include "ode_predictive_space/broadphase/base/simd.h"
 
@@ -50,7 +50,6 @@ template <typename Value, typename Bits> Value from_bits(std::uint64_t bits)
     return value;
 }
 
-// An edge, any pattern of bits, or a number of moderate size.
 float any_float(Random &random)
 {
     switch (random.index(3))
@@ -91,7 +90,6 @@ Four lanes_of(Float4 vector)
     return lanes;
 }
 
-// Bit for bit; all that is not a number is the same.
 bool same(float one, float other)
 {
     return (std::isnan(one) && std::isnan(other)) || std::memcmp(&one, &other, sizeof one) == 0;
@@ -196,7 +194,7 @@ TEST(Float4, RoundsDoublesDownOnEitherSide)
         for (const double sign : {1.0, -1.0})
         {
             Three a = three(random);
-            // Promised for what is finite as a float.
+            // The result is defined for values that are finite as floats.
             for (double &value : a)
                 if (!std::isfinite(static_cast<float>(value)))
                     value = random.uniform(-1e6, 1e6);
@@ -240,7 +238,6 @@ Eight eight(Random &random)
     return values;
 }
 
-// A bit for each of sixteen lanes for which holds(lane) is true.
 template <typename Holds> unsigned bits_where(Holds holds)
 {
     unsigned bits = 0;

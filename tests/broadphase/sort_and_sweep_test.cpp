@@ -46,7 +46,7 @@ TEST(SortAndSweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
             expect_all_pairs(sweep, random_items(random, count, 1, 1));
 }
 
-// As many as are cut into slabs, of all widths: many lie in one slab, some in a few, some in all. Where all meet along the
+// Enough boxes to be cut into slabs, with all widths: many are in one slab, some in a few, some in all. If all meet along the
 // axis, the last of a slab meets the first of the next.
 TEST(SortAndSweep, BoxesInSeveralSlabsAreFoundOnce)
 {
@@ -60,7 +60,7 @@ TEST(SortAndSweep, BoxesInSeveralSlabsAreFoundOnce)
                 for (ProxyId id = 0; id < 4000; ++id)
                 {
                     FloatBox box = random.box(20, 0.5);
-                    // Along the axis of the widest spread they lie twice as far apart.
+                    // Along this axis they have the widest spread.
                     box.low[0] *= 2;
                     box.high[0] = box.low[0] + length;
                     const double wide = random.chance(part_of_wide) ? random.uniform(0, 60) : width;
@@ -71,7 +71,7 @@ TEST(SortAndSweep, BoxesInSeveralSlabsAreFoundOnce)
             }
 }
 
-// So long that they meet what begins anywhere along them: in rows of eight, some are of another slab.
+// Boxes that are so long that they meet boxes that begin anywhere along them; in rows of eight, some are of another slab.
 TEST(SortAndSweep, LongBoxesInSlabsOfAFewAreFoundOnce)
 {
     Random random(3);
@@ -91,7 +91,7 @@ TEST(SortAndSweep, LongBoxesInSlabsOfAFewAreFoundOnce)
     }
 }
 
-// A few far away must not spoil how the others are told apart, and all may lie in a plane, or on a line.
+// A few distant boxes must not spoil the resolution for the others, and all may be in a plane or on a line.
 TEST(SortAndSweep, FindsThemWhereverTheOthersLie)
 {
     Random random(9);
@@ -114,7 +114,7 @@ TEST(SortAndSweep, FindsThemWhereverTheOthersLie)
         }
 }
 
-// The order is by places, of which there are 65536: what begins at the same one need not overlap.
+// Boxes are sorted by 65,536 places, so two that begin at the same place need not overlap.
 TEST(SortAndSweep, TinyBoxesAtTheSamePlaceAreToldApart)
 {
     Random random(4);
@@ -124,7 +124,7 @@ TEST(SortAndSweep, TinyBoxesAtTheSamePlaceAreToldApart)
         Items items;
         for (ProxyId id = 0; id < count; ++id)
         {
-            // In clusters, each much smaller than a place.
+            // Each cluster is much smaller than a place.
             const ProxyId cluster = id / 8;
             const float x = static_cast<float>(cluster) + static_cast<float>(random.index(8)) * 0x1p-14f;
             items.push_back({id, {{x, 0, 0}, {x + 0x1p-14f * static_cast<float>(random.index(3)) / 2, 0.1f, 0.1f}}});
@@ -170,9 +170,9 @@ Items grid_row_by_row(int side, int turn)
     return items;
 }
 
-// A sample that strides evenly through a grid may meet a single plane of it, and finds no spread across that plane. The
-// row-by-row order used to take 4,029,696 exact comparisons, the shuffled one 355. Few boxes beside the number of all are
-// compared in vain with boxes that begin after their end.
+// A sample with an even stride may hit a single plane of a grid, and see no spread across it. Once, the row-by-row order took
+// 4,029,696 exact comparisons, and the shuffled one 355. Needless comparisons, with boxes that begin after the end of a box,
+// must be few.
 TEST(SortAndSweep, TheOrderOfAGridCostsFewComparisons)
 {
     Random random(10);

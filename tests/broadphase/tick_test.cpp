@@ -89,7 +89,7 @@ TEST(Tick, PredictsOnceWhatWasAskedFor)
 {
     World world;
     const ProxyId id =
-        world.add(block({0, 0, 0}, Vector3::Constant(1), {1e-6, 0, 0}, false)); // looked at after each move
+        world.add(block({0, 0, 0}, Vector3::Constant(1), {1e-6, 0, 0}, false)); // measured after each move
     const auto tick = [&] {
         world.advance();
         world.tick();
@@ -116,7 +116,7 @@ TEST(Tick, PredictsSeldomInUniformMotion)
     EXPECT_EQ(gas.world.violated_invariant(), "");
 }
 
-// No tick tells such a program's space that time passes.
+// Without ticks, only queries can show the space that time passes.
 TEST(Tick, PredictsWhatIsOnlyAskedAbout)
 {
     CalmGas gas(500);

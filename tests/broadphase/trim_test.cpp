@@ -1,4 +1,4 @@
-// Memory that is given back when most objects are gone.
+// Memory is released when most objects are gone.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// With so many, memory is looked for when one object is left, and must be again when none is.
+// With this number, unused memory is searched when one object is left, and must be searched again when none is.
 constexpr std::size_t count = 24572;
 
 enum class Order
@@ -21,7 +21,6 @@ enum class Order
     shuffled
 };
 
-// Many objects, in contact or far apart.
 class Trim : public testing::TestWithParam<Order>
 {
 protected:

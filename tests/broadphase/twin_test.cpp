@@ -1,5 +1,5 @@
-// Both implementations of the vector arithmetic give the same results, bit for bit: this file is compiled into two test
-// programs, and the constants here are the same in both.
+// Both implementations of the vector arithmetic give the same bits: this file is compiled into two test programs that expect
+// the same constants.
 
 #include <cstring>
 
@@ -30,7 +30,6 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-// Objects of all kinds that fly, fall and turn, for some time.
 class Swarm
 {
 public:
@@ -70,8 +69,8 @@ private:
     Random random_{1};
 };
 
-// A change of the formulas changes this number. It may be replaced when both programs agree on the new one; the commit says
-// what has changed.
+// A change of the formulas changes this number. It may be replaced if both programs agree on the new one; the commit states the
+// change.
 TEST(Twin, TightBoxesEnvelopesAndNearPairsAreTheSameToTheLastBit)
 {
     Swarm flock;

@@ -1,4 +1,4 @@
-// The numbers of updates are used again after some time. No number, and no use of it again, may be seen from outside.
+// Update numbers are used again after some time. Neither a number nor its reuse may be visible from outside.
 
 #include <cfenv>
 
@@ -14,7 +14,7 @@ namespace
 {
 constexpr UpdateNumber count_of_numbers = Place::last_update + 1;
 
-// One object moves in each update, so that each tick is one.
+// One object moves in each update, so that each is a tick.
 class UpdateNumberTest : public testing::Test
 {
 protected:
@@ -36,7 +36,7 @@ protected:
 
     bool is_still(ProxyId id) { return world.broadphase.forecast(world, id, collisions).still(); }
 
-    // As if nothing had moved for many updates.
+    // Skips numbers, as if nothing had moved for many updates.
     void pass(UpdateNumber next)
     {
         world.broadphase.number_updates_from(next & Place::last_update);
@@ -48,7 +48,7 @@ protected:
     std::uint64_t collisions = 0;
 };
 
-// The next move of an object has the number of its last one.
+// The next move of the object has the number of its last one.
 TEST_F(UpdateNumberTest, AMoveCountsAndTimePassesWhateverItsNumber)
 {
     const ProxyId seldom = world.add(ball({0, 0, 0}, 0.1, {0, 0, 0}));
@@ -112,7 +112,7 @@ TEST_F(UpdateNumberTest, PairsThatStandStillComeToRestHoweverLong)
     }
 }
 
-// Vector comparisons have the number in their fourth lane.
+// Vector comparisons carry the number in their fourth lane.
 TEST_F(UpdateNumberTest, TicksAreExactAndInvalidOperationsNoneWhateverTheNumber)
 {
     Random random(1);
@@ -133,7 +133,6 @@ TEST_F(UpdateNumberTest, TicksAreExactAndInvalidOperationsNoneWhateverTheNumber)
     }
 }
 
-// Balls, judged by shape.
 class WorldOfBalls : public World
 {
 public:
@@ -155,7 +154,7 @@ public:
     }
 };
 
-// Once while the pair is postponed, and once when it has come to rest.
+// The object moves once while the pair is postponed, and once after it has come to rest.
 TEST(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
 {
     const Pairs none, both = {{1, 2}};
@@ -168,7 +167,7 @@ TEST(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
             world.add(ball({0, 0, 100}, 0.1, {0.0001, 0, 0}));
             world.add(ball({0, 0, 0}, 0.1, {0, 0, 0}));
             const ProxyId other = world.add(ball(apart, 0.1, {0, 0, 0}));
-            world.broadphase.set_role(other, Role::fixed_interactive); // so that shapes decide
+            world.broadphase.set_role(other, Role::fixed_interactive); // makes shapes decide
             const auto tick = [&] {
                 world.advance();
                 return sorted_pairs(world.tick());

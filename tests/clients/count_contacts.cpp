@@ -1,5 +1,5 @@
-// Put before a program with LD_PRELOAD: counts what its narrow phase does. At the program's end a line goes to the file that
-// COUNT_CONTACTS names: calls of dCollide(), those that found contacts, the number of contacts, and a hash of all contacts in
+// A library for LD_PRELOAD that counts the work of a program's narrow phase. At exit it writes a line to the file that
+// COUNT_CONTACTS names: calls of dCollide(), calls that found contacts, the number of contacts, and a hash of all contacts in
 // their order.
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace
 {
 using Collide = int (*)(dGeomID, dGeomID, int, dContactGeom *, int);
 
-// The program's ODE may be visible to itself alone, as that of a Python extension is.
+// The program's ODE may be private, as that of a Python extension is.
 Collide odes_own()
 {
     void *const ode = dlopen("libode.so.8", RTLD_LAZY | RTLD_NOLOAD);

@@ -9,7 +9,7 @@ rm -rf "$work"
 mkdir -p "$work/game" "$work/home"
 /usr/bin/python3 "$(dirname "$0")/darkplaces_game.py" "$work/game"
 
-# It goes on until a signal ends it: then timeout ends with 124, and there is a recording but no statistics.
+# The server runs until a signal ends it: timeout ends with 124, and there is a recording but no statistics.
 status=0
 "$tool" run --record "$work/recording" timeout --signal INT --kill-after 30 8 "$server" -basedir "$work/game" -userdir "$work/home" \
     -noudp +sv_public 0 +physics_ode 1 +map room.obj </dev/null >"$work/output" 2>&1 || status=$?

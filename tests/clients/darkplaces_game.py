@@ -2,7 +2,7 @@
 """Writes a game for the engine DarkPlaces: a closed room and 60 boxes that fall into a heap by ODE. No file of any game is needed.
 
 The program of a game (progs.dat, version 6) is a header and tables. This one has the functions that the engine calls, each of which
-returns at once; all that happens is physics. The room is a model in Wavefront's format, and what is in it is a list beside it.
+returns at once; only physics happens. The room is a model in Wavefront's format, and its content is a list beside it.
 
 Usage: darkplaces_game.py FOLDER
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 
 FUNCTIONS = ["worldspawn", "box", "info_player_start", "main", "StartFrame", "PlayerPreThink", "PlayerPostThink", "ClientKill",
              "ClientConnect", "PutClientInServer", "ClientDisconnect", "SetNewParms"]
-# The fields that the engine expects at the beginning of every entity, in its order, and their types.
+# Fields that the engine expects at the beginning of every entity, in its order, with their types.
 STRING, NUMBER, VECTOR, ENTITY, FUNCTION = 1, 2, 3, 4, 6
 FIELDS = [("modelindex", NUMBER), ("absmin", VECTOR), ("absmax", VECTOR), ("ltime", NUMBER), ("movetype", NUMBER),
           ("solid", NUMBER), ("origin", VECTOR), ("oldorigin", VECTOR), ("velocity", VECTOR), ("angles", VECTOR),

@@ -1,6 +1,7 @@
 // A heap of boxes, spheres and cylinders in DART's world, with ODE as its collision detector.
 //
-// Usage: dart_heap [bodies] [steps] [near|far]. With "far", the last body is 1e10 m away. Prints where the others are at the end.
+// Usage: dart_heap [bodies] [steps] [near|far]. With "far", the last body is 1e10 m away. Prints the final positions of the
+// others.
 
 #include <cstdio>
 #include <cstdlib>

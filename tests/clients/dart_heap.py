@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """A heap of boxes and spheres in DART's world, from Python, with ODE as its collision detector.
 
-Usage: dart_heap.py [bodies] [steps]. Prints where the bodies are at the end.
+Usage: dart_heap.py [bodies] [steps]. Prints the final positions of the bodies.
 """
 import sys
 

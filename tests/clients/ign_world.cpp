@@ -1,8 +1,8 @@
-// Gazebo's physics: a world in SDF that is read by ign-physics and moved by its engine "dartsim", which is DART with ODE as its
+// Gazebo's physics: a world in SDF, read by ign-physics and moved by its engine "dartsim", which is DART with ODE as its
 // collision detector. Boxes, spheres and cylinders fall on a floor; every fifth model has a second link on a hinge.
 //
 // Usage: ign_world [models] [steps] [near|far|nan]. With "far", the last model is put 1e10 m away before the first step; with
-// "nan", where its height is not a number. Prints where the others are at the end.
+// "nan", its height is not a number. Prints the final positions of the others.
 
 #include <cmath>
 #include <cstdio>

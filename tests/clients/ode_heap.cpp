@@ -1,7 +1,7 @@
-// ODE alone: boxes and spheres fall on a floor, in a hash space as ODE's manual has it.
+// ODE alone: boxes and spheres fall on a floor, in a hash space as in ODE's manual.
 //
-// Usage: ode_heap [objects] [steps] [near|far|nan]. With "far", the last object is 1e10 m away; with "nan", it has no body
-// and a height that is not a number. Prints where the others are at the end.
+// Usage: ode_heap [objects] [steps] [near|far|nan]. With "far", the last object is 1e10 m away; with "nan", it has no body and
+// a height that is not a number. Prints the final positions of the others.
 
 #include <cmath>
 #include <cstdio>
@@ -21,7 +21,7 @@ struct Scene
     dJointGroupID contacts;
 };
 
-// ODE's colliders end the program when they get such a geom.
+// ODE's colliders end the program at such a geom.
 bool is_nowhere(dGeomID geom)
 {
     dReal box[6];

@@ -1,5 +1,5 @@
 // OMPL, a library for motion planning, with its propagation of states by ODE: a planner pushes a box among loose boxes. Each
-// step of the planner puts all boxes back to where they were in a state that it reached before.
+// step of the planner sets all boxes back to a state that it reached before.
 // Usage: ompl_push BOXES ITERATIONS
 
 #include <cmath>
@@ -20,7 +20,6 @@ namespace
 {
 constexpr double edge = 0.4, apart = 0.7; // metres
 
-/// Boxes in rows on a floor; the first one can be pushed.
 class Boxes : public control::OpenDEEnvironment
 {
 public:
@@ -71,7 +70,7 @@ private:
     dSpaceID space_;
 };
 
-/// The first box far along x: too far to be reached in a few iterations, so that all of them are done.
+/// A goal for the first box that is out of reach in a few iterations, so that all of them are done.
 class FarAway : public base::GoalRegion
 {
 public:

@@ -2,7 +2,7 @@
 """Boxes of all sizes drop onto a floor one after another, are blown apart once, and are then drawn together: the classic
 tutorial of pyode, without its window.
 
-Usage: pyode_boxes.py [boxes] [steps]. Prints where the boxes are at the end.
+Usage: pyode_boxes.py [boxes] [steps]. Prints the final positions of the boxes.
 """
 import random
 import sys

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """A larger scene in pyode: boxes, spheres and capsules are poured into a yard with walls, in a hash space or a quadtree; the
-walls are in a simple space of their own.
+walls are in a nested simple space.
 
-Usage: pyode_heap.py [hash|quadtree] [height of the ground] [bodies] [steps]. Prints where the bodies are at the end.
+Usage: pyode_heap.py [hash|quadtree] [height of the ground] [bodies] [steps]. Prints the final positions of the bodies.
 """
 import random
 import sys

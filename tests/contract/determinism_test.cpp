@@ -1,4 +1,4 @@
-// Contract 14: the order of the callbacks depends on what the program did, never on where things lie in memory.
+// Contract 14: the order of the callbacks depends on the program's calls, never on memory addresses.
 
 #include <memory>
 #include <random>
@@ -21,7 +21,7 @@ enum class Variation
     moves_in_reverse,
 };
 
-// Memory of many sizes, taken and given back so that what is allocated next lies elsewhere than in another run.
+// Allocates and frees memory of many sizes, so that later allocations have other addresses than in another run.
 class HeapJunk
 {
 public:
@@ -79,7 +79,7 @@ private:
 
     void move_geoms(int tick)
     {
-        // The order in which a space hears of moves is not the program's to say: worker threads make them.
+        // Moves may be reported in any order, as worker threads make them.
         for (std::size_t i = 0; i < geoms_.size(); ++i)
         {
             const std::size_t which = variation_ == Variation::moves_in_reverse ? geoms_.size() - 1 - i : i;

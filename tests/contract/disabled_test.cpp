@@ -12,7 +12,7 @@ using Contract = OdeTest;
 
 constexpr int crowd = 3000;
 
-// Many disabled spheres in one place, and a body far away that moves, so that time passes.
+// Many disabled spheres in one place, and a distant body that moves, so that time passes.
 std::vector<dGeomID> disabled_crowd(Scenario &scene)
 {
     std::vector<dGeomID> geoms;
@@ -62,7 +62,7 @@ TEST_F(Contract, 01_DisabledGeomsInOnePlaceFormNoPairs)
     }
 }
 
-// At each number of ticks the space is in another state: sweeping, predicting a part of the scene, or all of it.
+// After each of these numbers the space is in another state: it sweeps, or predicts a part of the scene, or all of it.
 TEST_F(Contract, 01_EnabledGeomsHaveTheirPairsAtThatVeryTick)
 {
     for (int ticks : {0, 1, 2, 4, 8, 16, 40})
@@ -130,7 +130,7 @@ TEST_F(Contract, 01_DisablingDropsThePairs)
 }
 struct Disabling
 {
-    bool second; // of the two geoms of the first callback; otherwise the first
+    bool second; // disable the second geom of the first callback, not the first
     dGeomID disabled = nullptr;
     int pairs_afterwards = 0;
 };
@@ -146,7 +146,6 @@ void disable_in_first_callback(void *data, dGeomID first, dGeomID second)
     }
 }
 
-// Of ten spheres in one place.
 int pairs_of_a_geom_after_a_callback_disabled_it(dSpaceID space, bool second)
 {
     for (int i = 0; i < 10; ++i)
@@ -171,7 +170,7 @@ TEST_F(Contract, 01_AGeomThatACallbackDisablesHasNoFurtherPair)
         EXPECT_EQ(pairs_of_a_geom_after_a_callback_disabled_it(dPredictiveSpaceCreate(nullptr), second), 0);
 }
 
-// What the header and the FAQ say of ODE's own spaces.
+// The header and the FAQ state this of ODE's own spaces.
 TEST_F(Contract, 01_OdesSpacesDifferAboutAGeomThatACallbackDisables)
 {
     const dVector3 centre = {0, 0, 0}, extents = {10, 10, 10};

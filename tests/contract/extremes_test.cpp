@@ -1,4 +1,4 @@
-// Contract 13: coordinates that are not numbers, infinite or huge. The simple space says what is reported.
+// Contract 13: coordinates that are not numbers, infinite or huge. The simple space is the reference.
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ std::vector<dReal> extremes_and_no_numbers()
 }
 const std::vector<dReal> extremes = extremes_and_no_numbers();
 
-// Twelve spheres in a row, each touching the next, moving slowly along; one of them goes to extremes and comes back.
+// Twelve spheres in a row, each touching the next, drift slowly; one of them goes to extremes and comes back.
 void run_row(Scenario &scene, dReal extreme, bool with_bodies)
 {
     std::vector<dGeomID> geoms;
@@ -79,14 +79,14 @@ TEST_F(Contract, 13_BodiesGoToExtremesAndComeBack)
     }
 }
 
-// Programs that trap invalid operations run these; see support/trapping.cpp.
+// These also run in programs that trap invalid operations; see support/trapping.cpp.
 TEST_F(Contract, 13_FiniteExtremes)
 {
     for (dReal extreme : finite_extremes)
     {
         SCOPED_TRACE(extreme);
         expect_as_simple([=](Scenario &scene) { run_row(scene, extreme, false); });
-        if (std::abs(extreme) <= 1e12) // farther out, ODE's step makes numbers of these that are not finite
+        if (std::abs(extreme) <= 1e12) // farther out, ODE's step makes values that are not finite
             expect_as_simple([=](Scenario &scene) { run_row(scene, extreme, true); });
         expect_as_simple([=](Scenario &scene) {
             std::vector<dGeomID> boxes;
@@ -121,7 +121,7 @@ TEST_F(Contract, 13_ExtremeVelocities)
                     dBodySetLinearVel(bodies[2], 0, 0, 0);
                 if (tick % 10 == 7)
                     dBodySetPosition(bodies[2], 2, 0, 0);
-                // Believed, were it not for the check against what the geom really does.
+                // The velocity seems right unless it is checked against the geom's motion.
                 dBodySetLinearVel(bodies[5], tick % 2 ? extreme : 0, 0, 0);
                 dBodySetPosition(bodies[5], 5 + 0.01 * tick, 0, 0);
                 if (tick % 10 < 3)
@@ -203,7 +203,7 @@ TEST_F(Contract, 13_ExtremeGeomsInNestedSpaces)
     }
 }
 
-// The sides of their boxes are beyond single precision, where they would seem to overlap.
+// The sides of their boxes are beyond single precision, in which they would seem to overlap.
 TEST_F(Contract, 13_SizesBeyondSinglePrecision)
 {
     if (sizeof(dReal) == sizeof(float))
@@ -262,7 +262,6 @@ TEST_F(Contract, 13_OthersAreNotPoisoned)
     EXPECT_EQ(scene.log().back(), Pairs({{0, 1}}));
 }
 
-// A user class with a given bounding box, relative to its position.
 dGeomID create_boxed(const std::array<dReal, 6> &box)
 {
     static const int number = [] {
@@ -353,7 +352,7 @@ TEST_F(Contract, 13_DeviationsMayHaveNoEnd)
     });
 }
 
-// ODE makes a matrix without numbers of a quaternion that is infinite.
+// ODE makes a matrix of NaNs from an infinite quaternion.
 TEST_F(Contract, 13_BodiesMayLoseTheirRotation)
 {
     expect_as_simple([](Scenario &scene) {

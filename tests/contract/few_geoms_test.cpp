@@ -1,4 +1,5 @@
-// A space of few geoms compares each with each until it has to predict. What it reports is the same before, then and afterwards.
+// A space of few geoms compares all pairs until it has to predict. Its reports are the same before, during and after the
+// change.
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -18,7 +19,6 @@ struct FewGeoms : OdeTest
         dWorldDestroy(world);
     }
 
-    // In a row in which each overlaps the next.
     dGeomID add()
     {
         const dGeomID geom = number_geom(dCreateSphere(space, 1), static_cast<int>(geoms.size()));
@@ -33,7 +33,6 @@ struct FewGeoms : OdeTest
             add();
     }
 
-    // All of them go on together.
     void move()
     {
         for (const dGeomID geom : geoms)
@@ -48,7 +47,7 @@ struct FewGeoms : OdeTest
         EXPECT_EQ(unordered(collide(space)), expected);
     }
 
-    // New envelopes are counted.
+    // A space that predicts counts new envelopes.
     bool predicts()
     {
         move();
@@ -191,12 +190,12 @@ TEST_F(FewGeoms, AreToldThatTheirDataHaveChanged)
     dReal planes[] = {0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, 0, 1, 1, 1, 1};
     const unsigned polygons[] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3};
     const dGeomID convex = number_geom(dCreateConvex(nullptr, planes, 4, points, 4, polygons), few);
-    dGeomSetPosition(convex, -0.9, 2, 0); // beside the first sphere alone
+    dGeomSetPosition(convex, -0.9, 2, 0); // near the first sphere only
     dGeomDestroy(geoms.back());
     geoms.pop_back();
     dSpaceAdd(space, convex);
     expect_row();
-    points[7] = -3; // down to the first sphere
+    points[7] = -3; // reaches the first sphere
     dPredictiveSpaceGeomChanged(space, convex);
     EXPECT_EQ(collide(space).size(), geoms.size());
     dGeomDestroy(convex);

@@ -11,7 +11,7 @@ namespace
 {
 using Contract = OdeTest;
 
-// A field of small boxes that every geom passes.
+// A field of small boxes in the path of every geom.
 void put_posts(Scenario &scene)
 {
     for (int i = 0; i < 117; ++i)
@@ -122,7 +122,7 @@ TEST_P(EveryPlaceableClass, 12_IsCarriedWithAnOffset)
 
 TEST_P(EveryPlaceableClass, 12_GrowsWhileFarAndMoving)
 {
-    // The size changes without a new place: what was predicted for the smaller one does not hold.
+    // The size changes without a move, so the prediction for the smaller size does not hold.
     expect_as_simple([](Scenario &scene) {
         put_posts(scene);
         dGeomID geom = scene.numbered(create_geom(kind(), 0.3, scene.space()));
@@ -178,7 +178,7 @@ TEST_F(Contract, 12_RaysAreSetAnewEachTick)
 
 TEST_F(Contract, 12_AMeshIsGivenOtherTrianglesWithoutASign)
 {
-    // dGeomTriMeshSetData() marks the geom dirty and tells nobody, so that ODE is silent about its later moves, too. A simple
+    // dGeomTriMeshSetData() marks the geom dirty without a notice, so ODE does not report its later moves, either. A simple
     // space stops at an assertion here unless the mesh is the first in its list.
     Scenario scene(SpaceKind::predictive);
     dGeomID mesh = scene.numbered(create_geom(GeomKind::trimesh, 0.3, scene.space()));

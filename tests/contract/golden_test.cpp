@@ -1,8 +1,8 @@
-// The order of callbacks is the same in every run, with every allocator, compiler and build type: a golden hash of each scene.
-// With ODE in single precision it is another one, as the envelopes of predictions have the rounding of its boxes in them.
+// The order of callbacks is the same in every run, with every allocator, compiler and build type: each scene has a golden hash.
+// With ODE in single precision the hashes differ, as envelopes of predictions include the rounding of its boxes.
 //
-// Places, sizes and velocities are multiples of 1/1024, and nothing turns, so bounding boxes have no rounding; positions are set
-// by the scene, not computed by ODE; no function of the mathematical library is called.
+// Places, sizes and velocities are multiples of 1/1024, and nothing turns, so bounding boxes have no rounding; the scene sets
+// positions, not ODE; no function of the mathematical library is called.
 
 #include <memory>
 
@@ -14,18 +14,17 @@ namespace ode_predictive_space
 {
 namespace
 {
-// The numbers of a linear congruential generator (Knuth, MMIX): those of the standard library's distributions differ.
+// A linear congruential generator (Knuth, MMIX). The distributions of standard libraries differ.
 class Numbers
 {
 public:
-    // 0 to count - 1.
     int below(int count)
     {
         state_ = state_ * 6364136223846793005u + 1442695040888963407u;
         return static_cast<int>((state_ >> 33) % static_cast<std::uint64_t>(count));
     }
 
-    // From -most to most, in steps of 1/1024.
+    // A number from -most to most, in steps of 1/1024.
     dReal within(int most) { return static_cast<dReal>(below(2048 * most + 1)) / 1024 - static_cast<dReal>(most); }
 
 private:
@@ -55,7 +54,7 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-// Spheres and boxes, on bodies and without, that fly through a room, and what may happen to them.
+// Spheres and boxes, with and without bodies, that fly through a room, and the changes of a program to them.
 class Flock
 {
 public:
@@ -68,7 +67,7 @@ public:
     Scenario &scene() { return scene_; }
     std::size_t size() const { return members_.size(); }
 
-    // One step of 1/64 s. At the walls of the room, objects turn back.
+    // Makes a step of 1/64 s. Objects turn back at the walls of the room.
     void fly()
     {
         for (Member &member : members_)
@@ -216,7 +215,7 @@ std::ostream &operator<<(std::ostream &out, const Scene &scene)
     return out << scene.name;
 }
 
-// Replaced only with a reason in the message of the commit: programs that record runs rely on them.
+// A hash is replaced only with a reason in the commit's message: programs that record runs rely on them.
 constexpr Scene scenes[] = {
     {"few", 80, dPredictiveProximityBox, fly, 1632961519040502407u, 1632961519040502407u},
     {"calm", 400, dPredictiveProximityBox, fly, 9288827944297514561u, 9288827944297514561u},
@@ -233,7 +232,6 @@ class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>
 INSTANTIATE_TEST_SUITE_P(Golden, GoldenScene, testing::ValuesIn(scenes),
                          [](const auto &info) { return std::string(info.param.name); });
 
-// All callbacks of a run, ticks and questions.
 std::vector<Pairs> callbacks(const Scene &scene, SpaceKind kind)
 {
     constexpr int ticks = 300;
@@ -242,7 +240,7 @@ std::vector<Pairs> callbacks(const Scene &scene, SpaceKind kind)
     if (kind == SpaceKind::predictive)
         dPredictiveSpaceSetProximity(space, scene.proximity);
     if (kind == SpaceKind::predictive && scene.proximity == dPredictiveProximityShape)
-        for (std::size_t i = 0; i < flock.size(); i += 3) // primitives beside these are told apart by shape
+        for (std::size_t i = 0; i < flock.size(); i += 3) // their pairs with primitives are tested by shape
             dPredictiveSpaceSetGeomRole(space, flock.geom(i), dPredictiveRoleInteractive);
     std::vector<Pairs> log;
     for (int tick = 0; tick < ticks; ++tick)
@@ -267,7 +265,7 @@ TEST_P(GoldenScene, HasTheSameCallbacksInTheSameOrderEverywhere)
     EXPECT_EQ(hash.value(), GetParam().expected_hash());
 }
 
-// So that no hash of wrong pairs is ever taken down.
+// This prevents golden hashes of wrong pairs.
 TEST_P(GoldenScene, HasThePairsOfASimpleSpace)
 {
     const std::vector<Pairs> simple = callbacks(GetParam(), SpaceKind::simple);

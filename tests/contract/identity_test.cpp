@@ -1,4 +1,4 @@
-// Contract 17 and 18: what the space says it is; the tiny scenes that many programs have.
+// Contract 17 and 18: the identity of the space; the tiny scenes of many programs.
 
 #include <random>
 #include <utility>
@@ -46,7 +46,7 @@ Levels levels_of(dSpaceID space)
     return levels;
 }
 
-// ODE's assertion ended a program whose hash space was replaced in one line.
+// Once, ODE's assertion ended a program whose hash space was replaced in one line.
 TEST_F(Contract, 17_LevelsAreKeptAsInAHashSpace)
 {
     dSpaceID space = dPredictiveSpaceCreate(nullptr);

@@ -1,4 +1,4 @@
-// Contract 2 to 6, 10 and 15: geoms come, go and change spaces; spaces end in any order.
+// Contract 2 to 6, 10 and 15: geoms come, go and change spaces; spaces are destroyed in any order.
 
 #include <set>
 
@@ -14,7 +14,7 @@ namespace
 {
 using Contract = OdeTest;
 
-// What dSpaceCollide2(space, space) relies on when it walks a space without virtual calls.
+// dSpaceCollide2(space, space) relies on this list when it walks a space without virtual calls.
 void expect_sound_list(dSpaceID space)
 {
     int count = 0;
@@ -92,7 +92,7 @@ TEST_F(Contract, 03_DestroyedGeomsLeaveRoomForNewOnesAtTheSameAddress)
             scene.box(1, round + 3, 0, 0);
             scene.tick();
             dGeomDestroy(first);
-            // Likely to be where the destroyed one was.
+            // The new box is likely to get the address of the destroyed one.
             scene.box(1, round + 2.5, 0, 0);
             scene.tick();
         }
@@ -138,7 +138,7 @@ TEST_F(Contract, 04_TheListOfGeomsIsSoundAtAllTimes)
 
 TEST_F(Contract, 04_WalkingASpaceByHandDoesNotHideItsMoves)
 {
-    // dSpaceCollide2(small, large) takes the geoms of the small one in turn and brings their bounds up to date itself.
+    // dSpaceCollide2(small, large) iterates over the geoms of the small space and updates their bounds itself.
     expect_as_simple([](Scenario &scene) {
         dGeomID mover = scene.box(1, 10, 0, 0);
         scene.box(1, 0, 0, 0);
@@ -232,7 +232,7 @@ TEST_F(Contract, 06_AddCleanGeomWhileOthersAreDirty)
     dSpaceDestroy(space);
 }
 
-// A geom that is taken out and put back, as a program does that changes the groups of its objects.
+// A geom is removed and added again, as by a program that changes the groups of its objects.
 std::size_t pairs_after_putting_back(dSpaceID space)
 {
     dGeomID put_back = dCreateSphere(space, 1), other = dCreateSphere(space, 1);
@@ -300,7 +300,7 @@ TEST_F(Contract, 10_GeomsAreEnumeratedEachOnce)
         EXPECT_EQ(enumerated(scene.space()), all);
     }
     scene.tick();
-    // Not in turn, so that what was remembered of the last call does not help.
+    // Out of order, so that no cached position of the last call helps.
     for (int i : {24, 0, 12, 11, 12, 13, 5})
         EXPECT_EQ(all.count(geom_number(dSpaceGetGeom(scene.space(), i))), 1u);
     while (dSpaceGetNumGeoms(scene.space()) > 0)
@@ -316,7 +316,7 @@ TEST_F(Contract, 10_AnIndexOutOfRangeIsRefused)
         EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, 1); }), "");
         EXPECT_NE(ode_complaint([=] { dSpaceGetGeom(space, -1); }), "");
     }
-    else // ODE itself then answers with null, past the last geom
+    else // without assertions ODE returns null past the last geom
         EXPECT_EQ(dSpaceGetGeom(space, 1), nullptr);
     dSpaceDestroy(space);
 }

@@ -1,4 +1,4 @@
-// Contract 11: spaces within spaces.
+// Contract 11: nested spaces.
 
 #include <functional>
 
@@ -14,7 +14,7 @@ namespace
 {
 using Contract = OdeTest;
 
-// What programs do with nested spaces: recurse into each pair that has one.
+// The callback of programs with nested spaces recurses into each pair that has one.
 void recurse(void *data, dGeomID first, dGeomID second)
 {
     static_cast<Pairs *>(data)->push_back({geom_number(first), geom_number(second)});
@@ -58,7 +58,6 @@ dSpaceID make_quadtree(Scenario &, dSpaceID parent)
     return dQuadTreeSpaceCreate(parent, centre, extents, 3);
 }
 
-// Two cars of several geoms each, passing each other and a few posts.
 void run_cars(Scenario &scene, const MakeSpace &make)
 {
     std::vector<dBodyID> bodies;
@@ -79,7 +78,7 @@ void run_cars(Scenario &scene, const MakeSpace &make)
     {
         scene.step(0.05);
         recursive_tick(scene);
-        // Out and back, without the other parts of the car.
+        // The first part leaves and comes back without the rest of the car.
         if (tick % 50 == 20)
             dBodySetPosition(bodies[0], 0, 6, 0);
         if (tick % 50 == 25)
@@ -87,7 +86,7 @@ void run_cars(Scenario &scene, const MakeSpace &make)
     }
 }
 
-// A clean geom may be added to a nested space of ODE's own only when none in it is dirty.
+// A clean geom may be added to a nested space of ODE's own only if no geom in it is dirty.
 TEST_F(Contract, 11_ATickCleansTheGeomsOfNestedSpaces)
 {
     const dSpaceID outer = dPredictiveSpaceCreate(nullptr);
@@ -128,7 +127,7 @@ TEST_F(Contract, 11_QuadtreeInPredictive)
     expect_as_simple([](Scenario &scene) { run_cars(scene, make_quadtree); });
 }
 
-// A space of the scenario's kind with four geoms that drift through the geoms of an outer space of another kind.
+// A space of the scenario's kind with four geoms that drift through those of an outer space of another kind.
 void run_inside(Scenario &scene, const MakeSpace &make_outer)
 {
     dSpaceID outer = make_outer(scene, nullptr);
@@ -260,7 +259,7 @@ TEST_F(Contract, 11_ASpaceAndItsParentAreCollidedWithEachOther)
         {
             for (std::size_t i = 0; i < 3; ++i)
                 dGeomSetPosition(geoms[i], 0.2 * tick - static_cast<dReal>(i), 0, 0);
-            // The nested space is walked while its parent, which is asked, cleans it.
+            // The queried parent cleans the nested space while that is walked.
             scene.query(as_geom(nested), as_geom(scene.space()));
             scene.query(as_geom(scene.space()), as_geom(nested));
             if (tick % 4 == 0)
@@ -291,7 +290,7 @@ TEST_F(Contract, 11_NestedSpacesMoveBetweenParents)
     });
 }
 
-// ODE's other spaces rely on it that a space is dirty while a geom in it is.
+// ODE's other spaces rely on this: a space is dirty while a geom in it is.
 TEST_F(Contract, 11_ANestedSpaceIsDirtyWhenItLeavesWithDirtyGeoms)
 {
     dSpaceID outer = dPredictiveSpaceCreate(nullptr), other = dSimpleSpaceCreate(nullptr);
@@ -314,7 +313,7 @@ TEST_F(Contract, 11_ANestedSpaceIsDirtyWhenItLeavesWithDirtyGeoms)
     dSpaceDestroy(outer);
 }
 
-// A simple space takes all geoms behind a clean one in its list for clean.
+// A simple space assumes that all geoms behind a clean one in its list are clean.
 TEST_F(Contract, 11_AGeomThatHasMovedIsDirtyWhenItLeaves)
 {
     dSpaceID predictive = dPredictiveSpaceCreate(nullptr), simple = dSimpleSpaceCreate(nullptr);
@@ -333,7 +332,7 @@ TEST_F(Contract, 11_AGeomThatHasMovedIsDirtyWhenItLeaves)
     dSpaceDestroy(predictive);
 }
 
-// New data make a mesh dirty without a word to anybody, and its next move makes the space around it dirty in the same way.
+// New data make a mesh dirty without a notice, and its next move makes the space that holds it dirty without one, too.
 void expect_moves_are_noticed_beside_a_new_mesh(dSpaceID outer, dSpaceID nested)
 {
     static const float vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};

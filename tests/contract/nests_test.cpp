@@ -1,5 +1,4 @@
-// Contract 11: spaces of all classes within each other, four deep. The reference is the same nest with a simple space in place of
-// each predictive one.
+// Contract 11: nested spaces of all classes, four deep. In the reference, a simple space replaces each predictive one.
 
 #include <algorithm>
 #include <array>
@@ -29,14 +28,14 @@ constexpr std::array kind_names{"simple", "hash", "sweep and prune", "quadtree",
 
 constexpr std::size_t depth = 4;
 constexpr std::size_t innermost = depth - 1;
-constexpr std::size_t outside = depth; // the number of a space that is not in the nest
-using Nest = std::array<Kind, depth>;  // the outermost first
+constexpr std::size_t outside = depth; // index of a space outside the nest
+using Nest = std::array<Kind, depth>;  // outermost first
 
 enum class Predicts
 {
     not_yet,    ///< few geoms
     when_asked, ///< few geoms, one with a role
-    at_once     ///< more geoms than a space has that does not predict
+    at_once     ///< too many geoms for a space without predictions
 };
 constexpr std::array predicts_names{"few geoms", "few geoms and a role", "many geoms"};
 constexpr std::array all_predicts{Predicts::not_yet, Predicts::when_asked, Predicts::at_once};
@@ -57,16 +56,14 @@ constexpr std::array act_names{"collide", "collide2", "clean",  "bounds", "valid
                                "move",    "take out", "put in", "destroy"};
 constexpr std::array questions{Act::collide, Act::collide2, Act::clean, Act::bounds};
 
-/// What a program does to the space of a level.
 struct Step
 {
     Act act;
     std::size_t level;
-    std::size_t target = 0; ///< of put_in
+    std::size_t target = 0; ///< the new parent, for put_in
 };
 using Steps = std::vector<Step>;
 
-/// What a program learns from a step.
 struct Answer
 {
     Pairs pairs;
@@ -74,7 +71,7 @@ struct Answer
     bool is_valid = true;
 };
 
-/// The callback of a program: it goes into each space that is met, and collides each once in itself.
+/// A program's callback, which recurses into each space, and collides each once within itself.
 struct Recursion
 {
     Pairs pairs;
@@ -119,8 +116,8 @@ dSpaceID make_space(Kind kind, dSpaceID parent)
     }
 }
 
-/// The spaces of a nest, and a simple space outside of it. Each has a mover, which goes to and fro between its home and the place
-/// where all movers meet, and geoms that rest. In the outermost space, two geoms rest where the movers meet.
+/// The spaces of a nest, and a simple space outside it. Each has resting geoms and a mover, which alternates between its home
+/// and the meeting place of all movers. In the outermost space, two geoms rest at the meeting place.
 class Spaces
 {
 public:
@@ -227,7 +224,7 @@ private:
 struct Run
 {
     std::vector<Answer> answers;
-    std::string abort; ///< what ODE said; empty when it did not abort
+    std::string abort; ///< ODE's message if it aborted, otherwise empty
 };
 
 Run run(const Nest &nest, SpaceKind kind, Predicts predicts, const Steps &steps)
@@ -241,7 +238,7 @@ Run run(const Nest &nest, SpaceKind kind, Predicts predicts, const Steps &steps)
     }
     catch (const OdeAbort &abort)
     {
-        static_cast<void>(spaces.release()); // some stay locked, and cannot be destroyed
+        static_cast<void>(spaces.release()); // some spaces stay locked, and cannot be destroyed
         result.abort = abort.what();
     }
     return result;
@@ -261,7 +258,7 @@ std::string to_text(const Nest &nest, Predicts predicts, const Steps &steps)
     return text;
 }
 
-/// How many runs agreed and found pairs: a test must have some.
+/// Runs that agreed, and their pairs: a test must have some.
 struct Tally
 {
     long runs = 0;
@@ -286,7 +283,7 @@ void expect_as_reference(const Nest &nest, Predicts predicts, const Steps &steps
     ++tally.runs;
 }
 
-// All nests that hold a predictive space.
+// Nests that hold a predictive space: all, or every eighth under a sanitizer.
 std::vector<Nest> all_nests()
 {
     constexpr int all = 625;
@@ -307,7 +304,6 @@ std::vector<Nest> all_nests()
     return nests;
 }
 
-// In all nests, until the first difference.
 void expect_in_all_nests(const std::vector<Steps> &histories)
 {
     Tally tally;
@@ -336,7 +332,7 @@ TEST_F(Contract, 11_InEachNestAnyTwoQuestionsSeeTheMovesBetweenThem)
     expect_in_all_nests(histories);
 }
 
-// Any two questions to any two of its spaces, in both orders, with each mover between them.
+// Any two queries to any two of the spaces, in both orders, with moves of each mover in between.
 Steps long_walk()
 {
     Steps asked;
@@ -359,8 +355,8 @@ TEST_F(Contract, 11_InEachNestAnySpaceMayBeAskedBetweenMoves)
     expect_in_all_nests({long_walk()});
 }
 
-// A space of the level goes to another parent and back. The space that goes is dirty itself, or its new parent is cleaned first:
-// ODE aborts otherwise, see below.
+// A space of the level moves to another parent and back. It is dirty itself, or its new parent is cleaned first: otherwise ODE
+// aborts, see below.
 Steps there_and_back(std::size_t level, std::size_t target, bool dirty, Act before, Act after)
 {
     Steps steps{{before, 0}, {Act::move, innermost}};
@@ -393,8 +389,8 @@ TEST_F(Contract, 11_InEachNestSpacesMoveBetweenParents)
     expect_in_all_nests(histories);
 }
 
-// ODE's simple and hash spaces take all geoms behind a clean one in their list for clean, and stop at an assertion: the one kind of nest
-// whose reference aborts. They are left out, as what is locked by an abort cannot be freed.
+// ODE's simple and hash spaces assume that all geoms behind a clean one in their list are clean, and stop at an assertion. Only
+// here the reference aborts. These nests are left out, as spaces that an abort leaves locked cannot be freed.
 TEST_F(Contract, 11_ACleanSpaceIsPutInBesideDirtyGeoms)
 {
     const Steps steps{{Act::collide, 0}, {Act::take_out, 1}, {Act::move, 0}, {Act::put_in, 1, 0}, {Act::collide, 0}};

@@ -1,4 +1,4 @@
-// What the space is told, what it is not told, and when: the ways in which a prediction can be wrong without a sign.
+// Notices to the space, and changes without a notice: the cases in which a prediction can be wrong without a sign.
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -13,7 +13,7 @@ using Notice = OdeTest;
 
 TEST_F(Notice, AGeomThatStopsWithoutASign)
 {
-    // Its velocity says that it goes on, but nobody moves it any more; another one comes to where it stopped.
+    // Its velocity suggests further motion, but nothing moves it; another geom comes to where it stopped.
     expect_as_simple([](Scenario &scene) {
         dGeomID stopping = scene.sphere(0.5, 0, 0, 0);
         dBodyID body = scene.body(stopping, 10, 0, 0);
@@ -28,7 +28,7 @@ TEST_F(Notice, AGeomThatStopsWithoutASign)
     });
 }
 
-// Size and place, in either order, once and again before one tick: each is told by a notice of its own.
+// Size and place change in either order, once or repeatedly before a tick. Each change has its own notice.
 TEST_F(Notice, AGeomThatGrowsAndMovesBetweenTwoTicks)
 {
     expect_as_simple([](Scenario &scene) {
@@ -67,7 +67,7 @@ TEST_F(Notice, AGeomThatLeavesAndComesBackBetweenTwoTicks)
     });
 }
 
-// Nobody tells that it has no body any more; then its rotation can be any matrix.
+// The loss of the body sends no notice; afterwards the rotation can be any matrix.
 TEST_F(Notice, AGeomThatLosesItsBodyAndIsStretched)
 {
     expect_as_simple([](Scenario &scene) {
@@ -90,10 +90,10 @@ TEST_F(Notice, AGeomThatLosesItsBodyAndIsStretched)
     });
 }
 
-// Beyond the reach of a unit cube that turns in any way, and within that of a stretched one.
+// Out of reach for a unit cube in any orientation, but not for a stretched one.
 constexpr dReal out_of_reach = 1.6;
 
-// A cube on a body, in a scene of enough geoms to be predicted, and a ball that only a stretched cube reaches.
+// A cube on a body, in a scene with enough geoms for predictions, and a ball that only a stretched cube reaches.
 dBodyID cube_beside_ball(Scenario &scene)
 {
     const dBodyID body = scene.body(scene.box(1, 0, 0, 0), 0, 0, 0);
@@ -149,9 +149,9 @@ TEST_F(Notice, ABodyThatIsStretchedAndMovedBeforeOneTick)
     });
 }
 
-// dGeomRaySet() writes the third column of the matrix that the other geoms of its body have, too; they get no notice of it until the
-// body moves. A thin plate rises, stops below a ball and creeps on, within an envelope that it is watched in by its centre; made no
-// rotation, its matrix makes the box reach the ball.
+// dGeomRaySet() writes the third column of the matrix that all geoms of its body share; the others get no notice until the body
+// moves. A thin plate rises, stops below a ball and creeps on, inside an envelope in which its centre is watched. With a matrix
+// that is no rotation its box reaches the ball.
 TEST_F(Notice, ARayThatChangesTheMatrixOfItsBody)
 {
     for (const bool is_in_space : {true, false})
@@ -169,7 +169,7 @@ TEST_F(Notice, ARayThatChangesTheMatrixOfItsBody)
                 if (tick == 60)
                     dGeomRaySet(ray, 0, height, 0, 0, 1, 0);
                 if (tick == 80 && !is_in_space)
-                    dGeomSetBody(ray, nullptr); // what it wrote stays
+                    dGeomSetBody(ray, nullptr); // its column stays
                 dBodySetPosition(body, 0, height, 0);
                 scene.tick();
             }
@@ -367,7 +367,7 @@ TEST_F(Notice, ABodyGoesFromUnderATurningGeom)
 
 TEST_F(Notice, BoundsAreAskedForBetweenMoveAndTick)
 {
-    // dGeomGetAABB() and dSpaceCollide2() of two geoms bring the bounds up to date and take the mark of the move away.
+    // dGeomGetAABB() and dSpaceCollide2() of two geoms update the bounds and clear the mark of the move.
     expect_as_simple([](Scenario &scene) {
         dGeomID mover = scene.sphere(0.5, 9, 0, 0);
         dGeomID post = scene.sphere(0.5, 0, 0, 0);
@@ -448,7 +448,7 @@ TEST_F(Notice, RemovedAndAddedAgainElsewhere)
             scene.step(0.01);
             scene.tick();
         }
-        // Some are in no space, which would destroy them.
+        // Some are in no space that would destroy them.
         for (dGeomID geom : geoms)
             dGeomDestroy(geom);
     });
@@ -456,7 +456,7 @@ TEST_F(Notice, RemovedAndAddedAgainElsewhere)
 
 TEST_F(Notice, ABodyIsTeleportedAlongItsOwnPath)
 {
-    // Right on the predicted line, but at another time than predicted.
+    // The body is on the predicted line, but at another time than predicted.
     expect_as_simple([](Scenario &scene) {
         dBodyID body = scene.body(scene.sphere(0.5, 0, 0, 0), 1, 0, 0);
         scene.sphere(0.5, 30, 0, 0);

@@ -1,5 +1,5 @@
-// Geoms at an offset from their body, as robots are built of them: their places follow from the pose of the body, and may change
-// with the offset, too.
+// Geoms at an offset from their body, as in robots: their places follow from the pose of the body, and may also change with the
+// offset.
 
 #include <cmath>
 #include <functional>
@@ -17,7 +17,7 @@ using Offset = OdeTest;
 
 constexpr dReal carried_at = 0.4;
 
-// A unit cube at an offset, in a scene of enough geoms to be predicted; alone, and known after some ticks.
+// A unit cube at an offset, in a scene with enough geoms for predictions. It is alone, and known after some ticks.
 dGeomID carried_cube(Scenario &scene)
 {
     dGeomID cube = scene.box(1, 0, 0, 0);
@@ -43,7 +43,6 @@ void move_on(Scenario &scene, dGeomID geom)
     }
 }
 
-// The first row of the body's matrix has the direction (1, 1, 1).
 void turn_row(dBodyID body)
 {
     const dReal third = 1 / std::sqrt(REAL(3.0)), half = 1 / std::sqrt(REAL(2.0)), sixth = 1 / std::sqrt(REAL(6.0));
@@ -122,7 +121,7 @@ TEST_F(Offset, AnOffsetThatChangesWithoutAMoveOfTheBody)
     });
 }
 
-// ODE leaves the mark that the pose follows from an offset.
+// ODE keeps the mark that the pose has to be computed from an offset.
 TEST_F(Offset, AGeomThatGoesToAnotherBodyAfterItsOwnHasMoved)
 {
     expect_as_simple([](Scenario &scene) {
@@ -143,7 +142,7 @@ TEST_F(Offset, AGeomThatGoesToAnotherBodyAfterItsOwnHasMoved)
     });
 }
 
-// In ODE's spaces the collide has computed its pose. Here ODE stopped at an assertion.
+// After a collide of ODE's own spaces the pose is computed. Here it was not, and ODE stopped at an assertion.
 TEST_F(Offset, AGeomThatLosesItsOffsetWithItsBodyAfterATick)
 {
     for (const bool is_taken_out : {false, true})
@@ -187,8 +186,8 @@ TEST_F(Offset, ALongOffsetLeadsBackToTheOthers)
     });
 }
 
-// The offset grows and the body goes the other way, so that the geom hardly moves: no single change leads out of its envelope. At the
-// end the geom goes on, out of the envelope.
+// The offset grows and the body moves in the opposite direction, so that the geom hardly moves: no single change leads out of
+// its envelope. At the end the geom moves on, out of the envelope.
 TEST_F(Offset, ALongOffsetThatHasGrownInSmallSteps)
 {
     const dReal far = sizeof(dReal) == sizeof(double) ? 1e8 : 1e4, envelope = 1003, step = 500;
@@ -208,7 +207,7 @@ TEST_F(Offset, ALongOffsetThatHasGrownInSmallSteps)
         dGeomSetOffsetPosition(geom, offset + step, 0, 0);
         dBodySetPosition(body, -offset - step, 0, 0);
     }
-    // In steps that single precision shows. The last is too short to lead out of the envelope, as far as it shows.
+    // Single precision shows each of these steps. The last one is too short to leave the envelope, as far as it shows.
     constexpr int steps = 111;
     for (int i = 1; i <= steps; ++i)
     {
@@ -231,8 +230,8 @@ TEST_F(Offset, AnOffsetBeyondAnyPrecision)
     });
 }
 
-// The places are such that single precision rounds that of the geom in one way, and the sum of body and offset in another. No notice
-// comes between a leap, which brings a new envelope, and the growth.
+// At these places, single precision rounds the place of the geom in one direction, and the sum of body and offset in the other.
+// No notice comes between a leap, which brings a new envelope, and the growth.
 TEST_F(Offset, AGeomThatGrowsAndDoesNothingElse)
 {
     expect_as_simple([](Scenario &scene) {
@@ -242,7 +241,7 @@ TEST_F(Offset, AGeomThatGrowsAndDoesNothingElse)
         for (int i = 0; i < 20; ++i)
         {
             const dReal x = i * REAL(7.7777777);
-            scene.sphere(0.3, x, 25, 0); // that a grown cube alone reaches
+            scene.sphere(0.3, x, 25, 0); // only a grown cube reaches it
             for (const dReal y : {REAL(15.1111111), REAL(22.2222222)})
             {
                 dBodySetPosition(body, x, y, REAL(0.3333333));
@@ -313,7 +312,7 @@ TEST_F(Offset, ABodyThatIsSetWhereItIsMovesNoGeom)
         const unsigned long before = unchanged(space);
         for (int tick = 0; tick < 30; ++tick)
             set_all_and_collide();
-        // Pairs of what does not move come to rest now and then, and the next notice of an object at rest counts as a move.
+        // Pairs without moves come to rest now and then, and the next notice of a resting object counts as a move.
         EXPECT_GE(unchanged(space) - before, 28 * bodies.size()) << gap;
         EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
         dSpaceDestroy(space);

@@ -31,7 +31,7 @@ TEST_F(Contract, 01_BoxesThatComeToTouchWhileMovingAreAPair)
     expect_as_simple([](Scenario &scene) {
         scene.box(1, 0, 0, 0);
         dGeomID mover = scene.box(1, 5, 0, 0);
-        // Steps of 1/64 are exact, so that at one tick the faces touch and nothing overlaps.
+        // Steps of 1/64 are exact, so at one tick the faces touch without an overlap.
         for (int tick = 0; tick < 64 * 10; ++tick)
         {
             dGeomSetPosition(mover, 5 - tick / 64.0, 0, 0);
@@ -40,7 +40,7 @@ TEST_F(Contract, 01_BoxesThatComeToTouchWhileMovingAreAPair)
     });
 }
 
-// Far from the origin ODE rounds boxes so that some overlap although the spheres do not touch, and the other way round.
+// Far from the origin, ODE's rounding makes some boxes overlap although the spheres do not touch, and vice versa.
 TEST_F(Contract, 01_BoxesThatOverlapByRoundingAreAPair)
 {
     expect_as_simple([](Scenario &scene) {

@@ -1,4 +1,4 @@
-// Contract 9 and 16: several threads ask one space in which nothing moves.
+// Contract 9 and 16: several threads query one space in which nothing moves.
 
 #include <algorithm>
 #include <atomic>
@@ -15,7 +15,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-/// What a scene of 400 geoms was like before the threads ask.
 struct Past
 {
     const char *name;
@@ -69,7 +68,6 @@ protected:
         }
     }
 
-    // The pairs of a probe that visits all places, and recurses into nested spaces.
     static std::vector<Pairs> ask(dSpaceID space, int first_place)
     {
         std::vector<Pairs> answers(rounds);
@@ -93,7 +91,7 @@ protected:
             dSpaceCollide2(first, second, data, note_and_descend);
     }
 
-    // Calls act(i) in all threads, which begin together.
+    // Calls act(i) in all threads, which start together.
     template <typename Act> static void in_threads(Act act)
     {
         std::atomic<int> ready{0};
@@ -130,7 +128,7 @@ TEST_P(ParallelQuery, EachThreadGetsWhatASimpleSpaceReports)
         const std::vector<Pairs> expected = ask(reference.space(), 31 * i);
         for (std::size_t round = 0; round < expected.size(); ++round)
         {
-            // By the sphere test, pairs are left out.
+            // The sphere test leaves out pairs.
             Pairs &given = answers[static_cast<std::size_t>(i)][round];
             if (proximity == dPredictiveProximitySphere)
             {
@@ -203,7 +201,7 @@ TEST_P(ParallelQuery, InquiriesAreAnsweredAsByOneThread)
     dPredictiveSpaceSetProximity(scene.space(), proximity);
     fill(scene);
     past.run(scene);
-    // Not by the threads: dSpaceGetGeom() keeps the last place in the list of the space.
+    // The threads must not do this: dSpaceGetGeom() caches the last place in the list of the space.
     std::vector<dGeomID> geoms;
     for (int i = 0; i < dSpaceGetNumGeoms(scene.space()); ++i)
         geoms.push_back(dSpaceGetGeom(scene.space(), i));

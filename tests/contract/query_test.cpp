@@ -1,4 +1,4 @@
-// Contract 9: dSpaceCollide2() as the built-in spaces have it.
+// Contract 9: dSpaceCollide2() as in the built-in spaces.
 
 #include <vector>
 
@@ -156,7 +156,7 @@ TEST_F(Contract, 09_SpacesAgainstSpacesOfEveryKind)
             dGeomSetPosition(dSpaceGetGeom(others[1], 0), round, 0, 0);
             for (dSpaceID other : others)
             {
-                // Both ways: the space with fewer geoms is walked, the other is asked.
+                // In both orders the space with fewer geoms is walked, and the other is queried.
                 scene.query(as_geom(scene.space()), as_geom(other));
                 scene.query(as_geom(other), as_geom(scene.space()));
             }
@@ -167,7 +167,6 @@ TEST_F(Contract, 09_SpacesAgainstSpacesOfEveryKind)
     });
 }
 
-// Spheres in rows, some of which move.
 std::vector<dBodyID> add_rows(Scenario &scene, int count)
 {
     std::vector<dBodyID> movers;
@@ -241,7 +240,7 @@ TEST_F(Contract, 09_AQueryComputesNoBoxButThoseOfWhatItMayMeet)
     dGeomDestroy(probe);
 }
 
-// A program that plans paths, for example: it moves nothing in the space and never collides it.
+// A program that plans paths, for example, moves nothing in the space and never collides it.
 TEST_F(Contract, 09_AStillSpaceThatIsOnlyAskedGetsAnIndex)
 {
     Scenario scene(SpaceKind::predictive);
@@ -292,7 +291,7 @@ TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
         query();
         scene.tick();
         query();
-        // Of this ODE tells nobody. A simple space misses it, too, unless the geom is the first in its list, as here.
+        // ODE sends no notice of this. A simple space misses it, too, unless the geom is the first in its list, as here.
         dGeomTriMeshSetData(mesh, mesh_data(3));
         query();
         dGeomDestroy(mesh);
@@ -301,7 +300,7 @@ TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
     });
 }
 
-// Beside a large space a small one with a space in it; one geom of each drifts.
+// A small space with a nested one, beside a large space. One geom of the small space and one of the nested space drift.
 struct TwoSpaces
 {
     dSpaceID inner;
@@ -358,7 +357,7 @@ TEST_F(Contract, 09_ALargeSpaceIsAskedAboutEachGeomOfASmallOne)
 
 TEST_F(Contract, 09_ASpaceOfADeeperLevelIsAGeom)
 {
-    // The space of the higher sublevel is asked, and the other is one geom to it, whichever is predictive.
+    // The space of the higher sublevel is queried, and the other is one geom to it, whichever is predictive.
     for (int level : {-1, 1})
         expect_as_simple([level](Scenario &scene) {
             dSpaceID small = scene.make_space(nullptr);
@@ -386,7 +385,7 @@ TEST_F(Contract, 09_AnEmptySpaceAnswersQueries)
     EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
     dGeomDestroy(probe);
 }
-// ODE sends no notice of it. A question finds the mesh where it was, and judges it by the new data; a tick makes it known.
+// ODE sends no notice of it. A query finds the mesh at its old place, and tests it by the new data; a tick makes it known.
 TEST_F(Contract, 09_AMeshThatIsGivenOtherData)
 {
     static const float small[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, large[] = {0, 0, 0, 40, 0, 0, 0, 1, 0},
@@ -421,7 +420,7 @@ TEST_F(Contract, 09_AMeshThatIsGivenOtherData)
     for (dTriMeshDataID each : data)
         dGeomTriMeshDataDestroy(each);
 }
-// A simple space sees its other data.
+// A simple space uses the new data.
 TEST_F(Contract, 09_AMeshThatIsGivenOtherDataAfterItWasTheLastToMove)
 {
     expect_as_simple([](Scenario &scene) {

@@ -1,4 +1,4 @@
-// Contract 9: queries by rays, and by the measure of spheres, which leaves out pairs but no contact.
+// Contract 9: queries by rays, and by the sphere test, which leaves out pairs but no contact.
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace
 {
 using Contract = OdeTest;
 
-// Geoms of every kind, the unbounded ones left out, here and there in a room.
+// Geoms of every bounded kind, spread over a room.
 //
-// @param away how far that is from the origin, along x.
+// @param away distance of the room from the origin, along x.
 std::vector<dGeomID> fill_room(Scenario &scene, int count, dReal away = 0)
 {
     std::vector<dGeomID> geoms;
@@ -30,7 +30,6 @@ std::vector<dGeomID> fill_room(Scenario &scene, int count, dReal away = 0)
     return geoms;
 }
 
-// A ray from somewhere in that room into some direction.
 void aim(dGeomID ray, int number, dReal away = 0)
 {
     dGeomRaySetLength(ray, 0.5 * (1 + number % 17));
@@ -56,7 +55,7 @@ TEST_F(Contract, 09_RaysMeetWhateverTheirBoundingBoxMeets)
     });
 }
 
-// The pairs of a query in both spaces; what the measure of spheres leaves out must not be in contact.
+// Compares the pairs of a query in both spaces. Those that the sphere test leaves out must not be in contact.
 struct LeftOut
 {
     std::size_t reported = 0;
@@ -132,7 +131,7 @@ TEST_F(Contract, 09_BySpheresQueriesFarAwayLoseNoContact)
     dGeomDestroy(ray);
 }
 
-// From the origin that the space has chosen, near its geoms, the start of the ray is farther than boxes and lines are compared.
+// The space has chosen an origin near its geoms. From there, the start of the ray is farther than boxes and lines are compared.
 TEST_F(Contract, 09_BySpheresARayFromTheOtherSideOfTheWorldIsAnswered)
 {
     Scenario scene(SpaceKind::predictive);
@@ -158,7 +157,7 @@ TEST_F(Contract, 09_BySpheresARayFromTheOtherSideOfTheWorldIsAnswered)
     dGeomDestroy(ray);
 }
 
-// Contacts with all that is in the spaces below, too.
+// Includes contacts in nested spaces.
 void count_contacts(void *count, dGeomID first, dGeomID second)
 {
     if (dGeomIsSpace(first) || dGeomIsSpace(second))
@@ -172,7 +171,7 @@ void count_contacts(void *count, dGeomID first, dGeomID second)
 
 TEST_F(Contract, 09_BySpheresAHeightfieldInASpaceLosesNoContact)
 {
-    // ODE makes contacts beside and below the edge of a heightfield, outside of the sphere around what it is in.
+    // ODE makes contacts beside and below the edge of a heightfield, outside the sphere around the heightfield's space.
     Scenario by_boxes(SpaceKind::simple), by_spheres(SpaceKind::predictive);
     dPredictiveSpaceSetProximity(by_spheres.space(), dPredictiveProximitySphere);
     for (dSpaceID space : {by_boxes.space(), by_spheres.space()})

@@ -1,4 +1,4 @@
-// Contract 7 and 8: locks, and what a callback may do.
+// Contract 7 and 8: locks, and the calls that a callback may make.
 
 #include <algorithm>
 #include <functional>
@@ -71,12 +71,12 @@ TEST_F(Contract, 07_ChangesAreRefusedWhileLocked)
     std::set<std::string> complaints;
     collide_with(space, [&](dGeomID first, dGeomID) {
         complaints.insert(ode_complaint([&] { dGeomSetPosition(first, 0, 0, 0); }));
-        // Without assertions neither ODE nor the space refuses it, and its lists break.
+        // Without assertions neither ODE nor the space refuses these calls, and the lists break.
         if (!ode_has_assertions())
             return;
         complaints.insert(ode_complaint([&] { dSpaceAdd(space, outside); }));
         complaints.insert(ode_complaint([&] { dSpaceRemove(space, first); }));
-        // Past ODE's own check, at that of the space.
+        // These calls bypass ODE's own check and meet that of the space.
         complaints.insert(ode_complaint([&] { space->add(outside); }));
         complaints.insert(ode_complaint([&] { space->remove(first); }));
     });
@@ -91,7 +91,7 @@ TEST_F(Contract, 07_ChangesAreRefusedWhileLocked)
 
 TEST_F(Contract, 07_GeomsAreBroughtUpToDateUnderTheLock)
 {
-    // Of a space that is being cleaned, nothing may be moved: a user class is asked for its bounds just then.
+    // While a space is being cleaned, nothing in it may be moved. The bounds function of a user class is called just then.
     static dSpaceID space;
     static int least_lock_count;
     const auto collider = [](int) -> dColliderFn * { return nullptr; };
@@ -217,7 +217,7 @@ TEST_F(Contract, 08_ACallbackMayDisableGeoms)
 
 TEST_F(Contract, 08_ACallbackMayChangeBitsWhereNothingIsLocked)
 {
-    // Geoms of a nested space, while the outer one reports; ODE refuses it for geoms of the reporting space.
+    // The geoms are of a nested space, while the outer one reports; ODE refuses it for geoms of the reporting space.
     expect_as_simple([](Scenario &scene) {
         dSpaceID nested = scene.make_space(scene.space());
         scene.numbered(as_geom(nested));

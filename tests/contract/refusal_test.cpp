@@ -1,4 +1,4 @@
-// Contract 16: what cannot be done beside other work is refused with a message.
+// Contract 16: operations that cannot run beside others are refused with a message.
 
 #include <thread>
 
@@ -32,7 +32,7 @@ TEST_F(Contract, 16_ATickBesideThatOfAnotherThreadIsRefused)
             dSpaceID space = visit.space;
             visit.complaints += ode_complaint([&] { EXPECT_TRUE(collide(space).empty()); });
             visit.complaints += ode_complaint([&] { EXPECT_TRUE(collide2(as_geom(space), as_geom(space)).empty()); });
-            // To ask is allowed.
+            // Queries are allowed.
             EXPECT_EQ(collide2(dSpaceGetGeom(space, 0), as_geom(space)).size(), 3u);
         }).join();
     });
@@ -41,7 +41,7 @@ TEST_F(Contract, 16_ATickBesideThatOfAnotherThreadIsRefused)
     EXPECT_EQ(collide(scene.space()).size(), 3u);
 }
 
-// A user class whose callback for the bounding box asks the space that needs the box.
+// A user class whose callback for the bounding box queries the space that needs the box.
 class AskingClass
 {
 public:

@@ -1,4 +1,4 @@
-// What the sphere test of proximity reports: a function of the geoms as they are now, and of nothing else.
+// Reports of the sphere test are a function of the present geoms, and of nothing else.
 
 #include <algorithm>
 #include <array>
@@ -25,11 +25,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Ball
 {
     std::array<double, 3> centre;
-    double radius; // infinite: the geom is judged by its box
+    double radius; // infinite: the geom is tested by its box
 };
 
-// Largest difference of the products of two columns of the rotation matrix from those of a rotation. Of a ray, the last column is
-// its direction, and the others mean nothing.
+// Largest difference of the products of two columns of the rotation matrix from those of a rotation. The last column of a ray
+// is its direction, and its other columns have no meaning.
 double skew_of(dGeomID geom)
 {
     const dReal *R = dGeomGetRotation(geom);
@@ -41,7 +41,7 @@ double skew_of(dGeomID geom)
     return skew;
 }
 
-// Can be touched outside of any sphere around their box.
+// These geoms can be touched outside any sphere around their box.
 bool is_judged_by_box(dGeomID geom)
 {
     const int type = dGeomGetClass(geom);
@@ -72,7 +72,7 @@ double own_radius(dGeomID geom)
     }
 }
 
-// Spheres, boxes, capsules and cylinders have their own; all others have the one around their bounding box.
+// Spheres, boxes, capsules and cylinders have their own ball; all others have the one around their bounding box.
 Ball ball_of(dGeomID geom)
 {
     dReal box[6];
@@ -97,7 +97,7 @@ Ball ball_of(dGeomID geom)
     return ball;
 }
 
-// In doubt, when rounding decides.
+// Empty if rounding decides.
 using Answer = std::optional<bool>;
 
 Answer balls_touch(const Ball &one, const Ball &other)
@@ -112,7 +112,6 @@ Answer balls_touch(const Ball &one, const Ball &other)
     return std::abs(distance - reach) < rounding * (1 + reach) ? std::nullopt : Answer(distance < reach);
 }
 
-// Does the line of the ray meet the box, which is larger by a margin?
 bool meets(dGeomID ray, const dReal *box, double margin)
 {
     const dReal *start = dGeomGetPosition(ray), *R = dGeomGetRotation(ray);
@@ -140,7 +139,7 @@ Answer line_meets(dGeomID ray, dGeomID other)
         return true;
     dReal box[6];
     dGeomGetAABB(other, box);
-    constexpr double margin = sizeof(dReal) == sizeof(double) ? 1e-5 : 1e-2; // by round-off, rays hit beside
+    constexpr double margin = sizeof(dReal) == sizeof(double) ? 1e-5 : 1e-2; // round-off lets rays hit beside the box
     const bool widely = meets(ray, box, margin), narrowly = meets(ray, box, -1e-5);
     return widely == narrowly ? Answer(widely) : std::nullopt;
 }
@@ -152,7 +151,7 @@ Answer both(const Answer &one, const Answer &other)
     return one && other ? Answer(true) : std::nullopt;
 }
 
-// ODE has libccd find the contacts, and it finds some between shapes that are apart.
+// ODE uses libccd for these contacts, and libccd finds some between shapes that are apart.
 bool is_found_by_libccd(dGeomID one, dGeomID other)
 {
     const std::set<int> cylinders = {dBoxClass, dCapsuleClass, dCylinderClass},
@@ -170,7 +169,6 @@ Answer by_definition(dGeomID one, dGeomID other)
     return both(balls_touch(ball_of(one), ball_of(other)), both(line_meets(one, other), line_meets(other, one)));
 }
 
-// As ODE has it.
 bool boxes_overlap(dGeomID one, dGeomID other)
 {
     const bool one_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);
@@ -182,7 +180,6 @@ bool boxes_overlap(dGeomID one, dGeomID other)
 
 using GeomPairs = std::vector<std::pair<dGeomID, dGeomID>>;
 
-// A world of a few geoms of all classes in a small room, with a random history.
 class Room
 {
 public:
@@ -192,7 +189,7 @@ public:
         dPredictiveSpaceSetProximity(space(), dPredictiveProximitySphere);
         for (int i = 0; i < 26; ++i)
             add(i % geom_kind_count == static_cast<int>(GeomKind::user)
-                    ? GeomKind::trimesh // it filters its pairs itself
+                    ? GeomKind::trimesh // the user class filters its pairs itself
                     : static_cast<GeomKind>(i % geom_kind_count));
     }
 
@@ -200,7 +197,6 @@ public:
     dGeomID geom(int number) const { return geoms_[static_cast<std::size_t>(number)].id; }
     int count() const { return static_cast<int>(geoms_.size()); }
 
-    // A few geoms are changed, the others go on.
     void change()
     {
         for (int i = calm_ ? one_in(20) : one_in(4) ? 8 : 1; i > 0; --i)
@@ -212,7 +208,6 @@ public:
         scenario_.step(0.01);
     }
 
-    // All pairs whose boxes overlap.
     GeomPairs by_boxes() const
     {
         GeomPairs pairs;
@@ -222,7 +217,6 @@ public:
                     pairs.emplace_back(geom(i), geom(j));
         return pairs;
     }
-    // Those of a geom that is not in the space.
     GeomPairs by_boxes(dGeomID probe) const
     {
         GeomPairs pairs;
@@ -232,7 +226,7 @@ public:
         return pairs;
     }
 
-    // Shoots a ray from anywhere into any direction, at times with a matrix that is no rotation.
+    // The matrix of the ray is at times no rotation.
     void shoot(dGeomID ray)
     {
         dGeomRaySet(ray, place(), place(), place(), place(), place(), place());
@@ -265,7 +259,7 @@ private:
             scenario_.body(geom, place() / 2, place() / 2, place() / 2);
     }
 
-    // Of any length: a geom without a body turns by what ODE makes of it, and that is no rotation.
+    // Not all quaternions have unit length: ODE makes a matrix that is no rotation from these, if the geom has no body.
     void draw_quaternion(dQuaternion turn)
     {
         for (int i = 0; i < 4; ++i)
@@ -325,7 +319,9 @@ private:
     std::vector<Slot> geoms_;
 };
 
-// How many pairs of those whose boxes overlap are left out. Expects that the others are reported, and no more.
+// Expects the reported pairs to follow the definition.
+//
+// @return the number of pairs whose boxes overlap but that are not reported.
 int compare(const GeomPairs &by_boxes, Pairs reported, const std::string &when)
 {
     reported = unordered(reported);
@@ -389,7 +385,6 @@ TEST_F(ReportBySphere, AnswersARayFromTheGeomsAlone)
     EXPECT_GT(left_out, 500) << "the measure made no difference";
 }
 
-// Three from its position, and 2 wide.
 dGeomID create_plate(dSpaceID space)
 {
     static const float corners[] = {3, -1, -1, 3, 1, -1, 3, 1, 1, 3, -1, 1};
@@ -402,8 +397,8 @@ dGeomID create_plate(dSpaceID space)
     return dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
 }
 
-// The prediction used to be about a smaller sphere around the mesh's position: the pair came later than for a space that had just
-// been made, and dPredictiveSpaceValidate() found it missing.
+// Once, predictions used a smaller sphere around the mesh's position: the pair came later than in a new space, and
+// dPredictiveSpaceValidate() found it missing.
 TEST_F(ReportBySphere, ComesInTimeForAMeshOffItsOrigin)
 {
     Scenario scene(SpaceKind::predictive);
@@ -426,7 +421,7 @@ TEST_F(ReportBySphere, ComesInTimeForAMeshOffItsOrigin)
     EXPECT_GT(reported, 200);
 }
 
-// The geoms that were measured by boxes before are judged anew.
+// Geoms that were tested by boxes before must be classified again.
 TEST_F(ReportBySphere, AnswersARayAfterAChangeOfTheMeasure)
 {
     Scenario scene(SpaceKind::predictive);

@@ -12,7 +12,6 @@ namespace
 {
 using Contract = OdeTest;
 
-// A grid of falling and rising spheres, crossing one another.
 void fill(Scenario &scene, int seed)
 {
     for (int i = 0; i < 60; ++i)
@@ -22,7 +21,7 @@ void fill(Scenario &scene, int seed)
     }
 }
 
-// How a world of this thread is stepped: by itself, as ODE's own default is shared by all worlds of the process.
+// Steps a world in its own thread, as ODE's default is shared by all worlds of the process.
 class OwnStepping
 {
 public:
@@ -54,7 +53,7 @@ std::vector<Pairs> run_alone(SpaceKind kind, int seed)
     fill(scene, seed);
     for (int tick = 0; tick < 300; ++tick)
     {
-        // Not dWorldQuickStep(): all threads share its random numbers.
+        // dWorldQuickStep() uses random numbers that all threads share.
         dWorldStep(scene.world(), 0.01);
         scene.note(unordered(collide(scene.space())));
     }
@@ -94,7 +93,6 @@ TEST_F(Contract, 16_ASpaceMadeInOneThreadIsCollidedInAnother)
     EXPECT_EQ(collide(scene.space()).size(), 36u);
 }
 
-// Steps a world with worker threads, which move the geoms in an order of their own.
 class Workers
 {
 public:
@@ -148,7 +146,7 @@ TEST_F(Contract, 16_WorkerThreadsMoveTheGeoms)
     ASSERT_EQ(first.size(), expected.size());
     for (std::size_t tick = 0; tick < first.size(); ++tick)
         ASSERT_EQ(unordered(first[tick]), expected[tick]) << "tick " << tick;
-    // And in the same sequence every time, though the workers finish in any order.
+    // The sequence is the same every time, though the workers finish in any order.
     EXPECT_EQ(run_with_workers(SpaceKind::predictive), first);
 }
 } // namespace

@@ -1,5 +1,5 @@
-// Programs that set every pose before every collide: a pose that did not change is no move. For spheres, boxes and capsules the
-// space tells by their bounding boxes in single precision; the geoms of other classes always count.
+// Programs that set every pose before every collide: an unchanged pose is no move. For spheres, boxes, capsules and cylinders
+// the space compares bounding boxes in single precision; notices of other classes always count.
 
 #include <cmath>
 #include <functional>
@@ -66,7 +66,7 @@ public:
 
     void make_known()
     {
-        EXPECT_EQ(dPredictiveSpaceValidate(space_), 1); // few geoms are predicted from now on
+        EXPECT_EQ(dPredictiveSpaceValidate(space_), 1); // makes a space of few geoms predict
         for (int i = 0; i < repetitions_until_known; ++i)
             set_all_and_collide();
     }
@@ -90,8 +90,8 @@ TEST_F(UnchangedPose, CountsAsNoMove)
     for (int tick = 0; tick < 50; ++tick)
         EXPECT_FALSE(setting.set_all_and_collide().empty());
     const dPredictiveSpaceStats after = stats(setting.space());
-    // Pairs of what does not move come to rest now and then, and the next notice of an object at rest counts. In single precision
-    // the box of a cylinder is computed by ODE, and each notice counts.
+    // Pairs without moves come to rest now and then, and the next notice of a resting object counts. In single precision, ODE
+    // computes the box of a cylinder, and each notice counts.
     const std::size_t cylinders = sizeof(dReal) < sizeof(double) ? 3 : 0, others = setting.geoms().size() - cylinders;
     const unsigned long moved = after.moved - before.moved, rests = 2;
     EXPECT_GE(moved, 50 * cylinders);
@@ -113,7 +113,7 @@ TEST_F(UnchangedPose, EveryRealChangeIsNoticed)
     struct Change
     {
         std::function<void(dGeomID)> make;
-        bool of_spheres; // too
+        bool of_spheres; // also counts for spheres
     };
     const std::vector<Change> changes{
         {[](dGeomID geom) { dGeomSetPosition(geom, 100, std::nextafter(0.1, 1.0), 0); }, true},
@@ -137,7 +137,7 @@ TEST_F(UnchangedPose, EveryRealChangeIsNoticed)
     }
 }
 
-// The bounding boxes in single precision are the same, so that it does not count. The pairs are those of double precision.
+// The bounding boxes in single precision are the same, so the move does not count, but the pairs are those of double precision.
 TEST_F(UnchangedPose, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
 {
     if (sizeof(dReal) == sizeof(float))
@@ -156,7 +156,7 @@ TEST_F(UnchangedPose, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
         EXPECT_EQ(collide(space).size(), i % 2 ? 0u : 1u) << i;
     }
     EXPECT_LT(stats(space).moved, moved + 10) << "after rests alone";
-    // At rest.
+    // The pair comes to rest.
     for (int i = 0; i < 200; ++i)
         EXPECT_TRUE(collide(space).empty());
     dGeomSetPosition(other, 1 - 1e-12, 0, 0);
@@ -187,7 +187,7 @@ TEST_F(UnchangedPose, ASizeThatChangesIsNoticed)
     }
 }
 
-// There and back between two ticks, and the other way round: the last notice of each tick is not the one before it.
+// The geom leaves and returns, with or without a tick in between.
 TEST_F(UnchangedPose, AGeomThatLeavesAndReturns)
 {
     Setting setting;
@@ -222,7 +222,6 @@ TEST_F(UnchangedPose, APositionThatIsNoNumber)
     EXPECT_EQ(unordered(setting.set_all_and_collide()), pairs);
 }
 
-// Changes something about the geom, or nothing.
 void change(dGeomID geom)
 {
     const dReal number = dRandReal();

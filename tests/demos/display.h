@@ -1,4 +1,4 @@
-// A display of its own for a test: Xvfb, which draws into memory.
+// A virtual display for a test: Xvfb, which draws into memory.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_DEMOS_DISPLAY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_DEMOS_DISPLAY_H
@@ -14,7 +14,7 @@ namespace ode_predictive_space
 class VirtualDisplay
 {
 public:
-    /// @throws std::runtime_error when Xvfb does not start.
+    /// @throws std::runtime_error if Xvfb does not start.
     VirtualDisplay()
     {
         int ends[2];
@@ -31,7 +31,7 @@ public:
             _exit(127);
         }
         close(ends[1]);
-        // It writes the number that it chose, and a new line, when it is ready.
+        // When it is ready, it writes the number of its display and a new line.
         for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';)
         {
             name_ += digit;
@@ -54,7 +54,6 @@ public:
     VirtualDisplay(const VirtualDisplay &) = delete;
     VirtualDisplay &operator=(const VirtualDisplay &) = delete;
 
-    /// As DISPLAY has it.
     const std::string &name() const { return name_; }
 
 private:

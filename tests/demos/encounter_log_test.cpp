@@ -67,9 +67,9 @@ TEST_F(EncounterLogTest, AContactOfWhatIsNotNearIsMissed)
     EXPECT_EQ(log_.summary().missed, 2U);
 }
 
-/// What a hand met in a scene of tilted plates, sticks and balls.
+/// Encounters of a hand in a scene of tilted plates, sticks and balls.
 ///
-/// @param near becomes the number of encounters that were near, summed over the ticks.
+/// @param near becomes the number of near encounters, summed over the ticks.
 EncounterSummary meet_some(int proximity, const RenderSettings &settings, int &near)
 {
     ProbeWorld world;
@@ -111,7 +111,7 @@ EncounterSummary meet_some(int proximity, const RenderSettings &settings, int &n
 struct Meeting
 {
     EncounterSummary summary;
-    int near = 0; // encounters that were near, summed over the ticks
+    int near = 0; // near encounters, summed over the ticks
 };
 
 class EncountersInASceneTest : public testing::Test
@@ -137,7 +137,7 @@ TEST_F(EncountersInASceneTest, ByTheDefaultLawNothingIsMissedAndMostIsPredicted)
     meet_by(dPredictiveProximityShape, {});
 }
 
-// By the proxy law the region in which the probe looks is so large that most of it is in contact anyway.
+// With the proxy law the region that the probe checks is so large that most of it is in contact anyway.
 TEST_F(EncountersInASceneTest, ByThePenaltyLawTooAndByShapesTheyAreAboutContact)
 {
     const Meeting by_boxes = meet_by(dPredictiveProximityBox, with_stiffness(500));

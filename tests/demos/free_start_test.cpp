@@ -1,4 +1,4 @@
-// Where the probe of the demo begins.
+// The start of the demo's probe.
 
 #include "demos/haptic/haptic_run.h"
 #include "demos/haptic/probe_scenes.h"
@@ -11,7 +11,7 @@ namespace ode_predictive_space::demo
 {
 namespace
 {
-/// The deepest contact of a sphere with a geom of a scene, by ODE alone; m.
+/// Deepest contact of a sphere with a geom of a scene, by ODE alone; m.
 double deepest_contact(const worlds::World &scene, const Vector3 &place, double radius)
 {
     const dGeomID sphere = dCreateSphere(nullptr, radius);
@@ -34,10 +34,10 @@ double deepest_contact(const worlds::World &scene, const Vector3 &place, double 
 struct Start
 {
     Vector3 place; ///< m
-    double depth;  ///< m; of the deepest contact
+    double depth;  ///< m, of the deepest contact
 };
 
-/// Makes the run, and does not run it.
+/// The run is made, but not started.
 Start start_of(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
 {
     worlds::WorldSpec spec;
@@ -60,7 +60,7 @@ protected:
     const worlds::OdeSession ode_;
 };
 
-// Before, the mouse began in an object with 30 of 100 seeds and 300 objects, the default one among them.
+// Once, the mouse began inside an object for 30 of 100 seeds with 300 objects, the default seed among them.
 TEST_F(FreeStart, WhateverTheSeed)
 {
     for (const char *device : {"mouse", "virtual"})

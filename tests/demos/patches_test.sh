@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# patches/apply on a copy of ODE's source: there and back, twice each, and what does not fit is left alone.
+# Tests patches/apply on a copy of ODE's source: apply and undo, twice each; a source that does not fit is left alone.
 # Usage: patches_test.sh <patches/apply> <source of ODE>
 
 set -euo pipefail
@@ -14,7 +14,7 @@ fail() {
     exit 1
 }
 
-# succeeds_saying, fails_saying <text> <command...>: the command ends so, and its output has the text in it.
+# succeeds_saying, fails_saying <text> <command...>: the command succeeds or fails, and its output contains the text.
 succeeds_saying() {
     "${@:2}" >"$work/said" 2>&1 && grep -q "$1" "$work/said"
 }
@@ -23,7 +23,7 @@ fails_saying() {
 }
 
 cp -r "$source" "$work/tree"
-# The source may have been patched where it lies.
+# The source may have been patched in place.
 "$apply" --undo "$work/tree"
 cp -r "$work/tree" "$work/pristine"
 

@@ -44,7 +44,7 @@ TEST_F(ProbeRun, FeelsTheSameInEverySpace)
     EXPECT_GT(predictive.at("ticks_with_force").get<int>(), 0);
     for (const char *space : {"hash", "quadtree", "simple", "sap"})
     {
-        // Not to the last bit: the order in which touches come, and so their sum, is the space's.
+        // The sums differ in the last bits, as the order of touches depends on the space.
         const nlohmann::json force = results(options + space).at("force");
         EXPECT_EQ(force.at("ticks_with_force"), predictive.at("ticks_with_force")) << space;
         EXPECT_NEAR(force.at("sum_n").get<double>(), predictive.at("sum_n").get<double>(), 1e-6) << space;
@@ -111,7 +111,7 @@ TEST_F(ProbeRun, PrintsNothingEmpty)
     }
 }
 
-// A stop by the guard was seen on standard error alone.
+// Once, a stop by the guard was reported on standard error only.
 TEST(Summary, TellsOfSafetyNotices)
 {
     for (const std::uint64_t notices : {0, 1, 2})

@@ -1,4 +1,4 @@
-// The window of predictive_haptic_demo on a display in memory: what is in its pictures.
+// Pictures of the window of predictive_haptic_demo, on a display in memory.
 
 #include <array>
 #include <cairo.h>
@@ -18,7 +18,6 @@ namespace ode_predictive_space::window
 {
 namespace
 {
-/// A PNG file.
 class Picture
 {
 public:
@@ -29,7 +28,7 @@ public:
     int width() const { return cairo_image_surface_get_width(surface_.get()); }
     int height() const { return cairo_image_surface_get_height(surface_.get()); }
 
-    /// How many pixels of an area are about as this colour is, by its direction: shading makes it darker.
+    /// Number of pixels of an area with about this colour, compared by direction, as shading makes it darker.
     int count(const Colour &colour, int left, int top, int right, int bottom) const
     {
         int found = 0;
@@ -74,7 +73,7 @@ private:
 class HapticDemoWindow : public testing::Test
 {
 protected:
-    /// Takes a picture at a moment of a run whose time is simulated: always the same moment of the same run.
+    /// A picture of a run in simulated time: always the same moment of the same run.
     Picture picture(const std::string &options)
     {
         const std::string file = (folder_ / "picture.png").string();

@@ -33,7 +33,8 @@ Pairs without(const Pairs &pairs, const Pairs &others)
     return rest;
 }
 
-// A small space predicts once it has been validated. The first part of a history, one over this, shows it without.
+// A small space predicts once it has been validated. The first part of a history, one over this number, runs without
+// validation.
 constexpr std::size_t unvalidated_part = 5;
 
 class TwinRun
@@ -67,7 +68,7 @@ public:
             return compare_pairs(
                 [&](Universe &universe) { return universe.query(operation.subject, operation.object); });
         case Action::tick_asking:
-            // A pair that is left out asks nothing, so that the answers can be compared by boxes only.
+            // A pair that is left out makes no query, so answers are compared by boxes only.
             if (terms_.measure == Measure::boxes)
                 return compare_pairs([](Universe &universe) { return universe.tick_asking(); });
             return tick();
@@ -77,7 +78,7 @@ public:
     }
 
 private:
-    // Says in which universe ODE aborted.
+    // Names the universe in which ODE aborted.
     template <typename Act> static auto watched(Universe &universe, FailureKind kind, Act act)
     {
         try
@@ -101,7 +102,7 @@ private:
     {
         ++tally_.ticks;
         compare_pairs([](Universe &universe) { return universe.tick(); });
-        // By brute force: not at every tick of a large scene.
+        // Validation is by brute force, so a large scene is not validated at every tick.
         const std::size_t every = 1 + reference_.geom_count() * reference_.geom_count() / 4000;
         if (validates_ && tally_.ticks % every == 0 &&
             !watched(tested_, FailureKind::abort, [](Universe &universe) { return universe.valid(); }))
@@ -145,7 +146,6 @@ private:
     Universe tested_;
 };
 
-// Looks for a shorter history that fails in the same way.
 class Shrinker
 {
 public:
@@ -175,7 +175,7 @@ private:
         return true;
     }
 
-    // One pass from the end, trying to do without each run of `length` operations.
+    // One pass from the end, which tries to drop each run of `length` operations.
     bool drop_runs(std::size_t length)
     {
         bool dropped = false;
@@ -229,7 +229,7 @@ std::optional<Failure> compare(const History &history, const Terms &terms, Tally
     }
     catch (const Broken &broken)
     {
-        // A universe in which ODE aborted stays locked: it cannot be taken apart.
+        // A universe in which ODE aborted stays locked, and cannot be destroyed.
         if (broken.kind == FailureKind::abort || broken.kind == FailureKind::abort_in_reference)
             static_cast<void>(run.release());
         return Failure{broken.kind, at, broken.what()};

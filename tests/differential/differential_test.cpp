@@ -32,7 +32,7 @@ std::string name_of(const ::testing::TestParamInfo<Parameters> &info)
 class Differential : public ::testing::TestWithParam<Parameters>
 {
 protected:
-    // The sizes vary below what is asked for, so that scenes of 2 geoms are among the tiny ones.
+    // Some scenes are smaller than requested, so that the tiny ones include scenes of 2 geoms.
     Tally run(Measure measure, std::uint64_t first_seed)
     {
         const auto [flavour, size] = GetParam();
@@ -68,10 +68,10 @@ TEST_P(DifferentialBySpheres, NoContactIsLeftOut)
 const auto every_flavour = ::testing::Values(Flavour::calm, Flavour::mixed, Flavour::wild, Flavour::teleport,
                                              Flavour::pile, Flavour::extreme, Flavour::far);
 
-// Of so many that not all predictions that break are made anew in one tick.
+// With so many geoms, not all broken predictions are replaced in one tick.
 const auto explosions = ::testing::Values(Flavour::explosion);
 
-// By box alone: by the other tests, pairs of spaces would be left out.
+// The other tests of proximity would leave out pairs of spaces.
 const auto nests = ::testing::Values(Flavour::nests);
 
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST

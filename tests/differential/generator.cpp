@@ -11,7 +11,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// SplitMix64 and plain arithmetic: std's distributions differ between libraries.
+// SplitMix64 and plain arithmetic, as the distributions of standard libraries differ.
 class Random
 {
 public:
@@ -24,7 +24,6 @@ public:
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
         return z ^ (z >> 31);
     }
-    /// 0 .. count - 1
     int below(int count) { return static_cast<int>(bits() % static_cast<std::uint64_t>(std::max(count, 1))); }
     double between(double low, double high)
     {
@@ -71,7 +70,7 @@ private:
         history_.gravity = is(Flavour::pile) ? 9.81 : random_.chance(0.3) ? random_.between(0, 10) : 0;
         history_.auto_disable = random_.chance(0.3);
         seconds_ = random_.chance(0.5) ? 0.01 : std::pow(10, random_.between(-3.5, -1.5));
-        // In metres per second: from creeping to crossing the scene in a few ticks.
+        // Metres per second, from creeping to crossing the scene in a few ticks.
         speed_ = std::pow(10, random_.between(-2, 1.3));
         bodies_ = random_.chance(0.2) ? 0 : static_cast<int>(random_.between(0.3, 1) * profile_.geoms);
         if (profile_.nested_spaces)
@@ -111,7 +110,7 @@ private:
     {
         if (is(Flavour::pile))
             return static_cast<GeomKind>(random_.below(3));
-        // The infinite ones overlap half of all others: a few are enough.
+        // Infinite geoms overlap half of all others, so a few are enough.
         if (random_.chance(0.01))
             return static_cast<GeomKind>(static_cast<int>(GeomKind::plane) + random_.below(3));
         if (random_.chance(0.5))
@@ -128,8 +127,8 @@ private:
         add(Action::make_space, slot, parent, random_.below(kinds) + 16 * random_.below(2));
     }
 
-    // Most are in the one before. Some begin a nest of their own, around which is no predictive space. A quadtree space that does
-    // not destroy its geoms leaves them unfit for others.
+    // Most are in the previous space. Some begin a separate nest, which no predictive space contains. A quadtree space that
+    // does not destroy its geoms leaves them unfit for others.
     void make_deep_space(int slot)
     {
         const int parent = random_.chance(0.2) ? -1 : random_.chance(0.8) ? slot - 1 : random_.below(slot);
@@ -156,7 +155,7 @@ private:
         add(Action::make_geom, slot, space, static_cast<int>(kind), {size(), where[0], where[1], where[2]});
     }
 
-    // On a body of its own, or on that of another geom, whose matrix it changes.
+    // At times the ray gets the body of another geom, whose matrix it changes.
     void aim_ray()
     {
         if (rays_.empty())
@@ -198,7 +197,6 @@ private:
                 {random_.between(0, 0.1), random_.between(0, 0.01), random_.between(0, 0.001)});
     }
 
-    // How many things happen between two stretches of time.
     int surprises()
     {
         switch (profile_.flavour)
@@ -236,7 +234,6 @@ private:
             go_to_extremes();
     }
 
-    // Other velocities for many, or others in the place of many.
     void explode()
     {
         const double part = random_.between(0.1, 1);
@@ -261,7 +258,7 @@ private:
                                           -std::numeric_limits<double>::infinity(),
                                           1e12,
                                           -1e12,
-                                          1e39, // beyond single precision, as are those that follow
+                                          1e39, // beyond single precision, as are the next ones
                                           -1e300,
                                           1e-300,
                                           5e-324};
@@ -286,7 +283,6 @@ private:
         }
     }
 
-    // Updates of one space, and moves between them.
     void happen_in_nests()
     {
         switch (random_.below(7))
@@ -308,7 +304,6 @@ private:
         }
     }
 
-    // One thing that a program may do.
     void happen()
     {
         if (is(Flavour::nests) && random_.chance(0.7))
@@ -398,7 +393,6 @@ private:
             make_geom(any_geom());
     }
 
-    // Returns how many ticks it took.
     int let_time_pass(int most)
     {
         if (is(Flavour::calm) || random_.chance(is(Flavour::mixed) || is(Flavour::pile) ? 0.2 : 0.02))
@@ -434,7 +428,7 @@ private:
     double speed_ = 1;
     int bodies_ = 0;
     int spaces_ = 0;
-    std::vector<int> rays_; // slots in which rays were made
+    std::vector<int> rays_; // slots of rays
 };
 } // namespace
 

@@ -9,17 +9,17 @@
 
 namespace ode_predictive_space
 {
-/// What a history is mostly about. Each is varied further by the seed.
+/// The main content of a history. The seed varies it further.
 enum class Flavour
 {
     calm,      ///< long stretches without a surprise, so that horizons grow long
-    mixed,     ///< surprises now and then
+    mixed,     ///< occasional surprises
     wild,      ///< surprises at every tick
-    teleport,  ///< nothing stays where it was
+    teleport,  ///< leaps of all objects
     pile,      ///< gravity and contacts
     extreme,   ///< coordinates and velocities that are huge, tiny, infinite or not numbers
-    explosion, ///< now and then much happens at once, to many
-    nests,     ///< deep nests of spaces of all classes, updated in every manner
+    explosion, ///< much happens at once, to many, now and then
+    nests,     ///< deep nests of spaces of all classes, updated in all manners
     far,       ///< as mixed, far from the origin
     last = far
 };
@@ -34,7 +34,7 @@ struct Profile
     bool nested_spaces = true;
 };
 
-/// The same history for the same profile and seed, on every machine.
+/// The history depends on the profile and the seed only, not on the machine.
 History make_history(const Profile &profile, std::uint64_t seed);
 } // namespace ode_predictive_space
 

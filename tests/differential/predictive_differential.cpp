@@ -1,4 +1,4 @@
-// Random histories in a simple and in a predictive space, for as long as one likes; and the replay of one that failed.
+// Any number of random histories in a simple and in a predictive space, and the replay of one that failed.
 
 #include <iostream>
 
@@ -47,7 +47,7 @@ int run(const Options &options)
     {
         const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
         const Profile profile = profile_of(options, seed);
-        // Before it runs: a history that ends the process is known, too.
+        // Printed first, so that a history that ends the process is known, too.
         std::cout << "seed " << seed << " (" << flavour_name(profile.flavour) << ")" << std::flush;
         const Measure measure = options.shapes ? Measure::shapes : options.spheres ? Measure::spheres : Measure::boxes;
         const Terms terms{measure, !options.pairs_only};

@@ -1,4 +1,4 @@
-// Universe: what a program does to a scene.
+// Universe: the operations on the scene.
 
 #include "tests/differential/universe.h"
 
@@ -29,14 +29,14 @@ void rotation_of(const Operation &operation, dMatrix3 rotation)
     dRFromAxisAndAngle(rotation, operation.value[0], operation.value[1], operation.value[2], operation.value[3]);
 }
 
-// Rows stay independent, as dBodySetRotation() asks.
+// Rows stay independent, as dBodySetRotation() requires.
 void distorted_rotation_of(const Operation &operation, dMatrix3 matrix)
 {
     rotation_of(operation, matrix);
     const int row = 4 * (operation.number / 4 % 3), column = operation.number / 12 % 3;
     switch (operation.number % 4)
     {
-    case 0: // it is hardly distorted, by its two digits alone
+    case 0: // it is hardly distorted, only rounded to two digits
         break;
     case 1:
         for (int i = 0; i < 3; ++i)
@@ -53,7 +53,8 @@ void distorted_rotation_of(const Operation &operation, dMatrix3 matrix)
         matrix[i] = std::round(100 * matrix[i]) / 100;
 }
 
-// Of a ray without an offset ODE moves the body, and changes its matrix, without a notice to the body's other geoms; this is one.
+// For a ray without an offset, ODE moves the body and changes its matrix without a notice to the body's other geoms;
+// dBodySetPosition() sends one.
 void aim_ray(dGeomID ray, const Operation &operation)
 {
     const auto &from = operation.value;
@@ -89,7 +90,7 @@ Universe::Universe(SpaceKind kind, const History &history)
 
 Universe::~Universe()
 {
-    // After an abort of ODE spaces are still locked, and destroying them would abort again.
+    // After an abort of ODE, spaces are still locked, and their destruction would abort again.
     if (std::uncaught_exceptions() > 0)
         return;
     for (std::size_t i = 0; i < spaces_.size(); ++i)
@@ -203,7 +204,7 @@ void Universe::make_space(const Operation &operation)
     spaces_[static_cast<std::size_t>(operation.subject)] = made;
 }
 
-// Clears the slots of what goes with a space that cleans up. (dSpaceGetGeom() does not work with a quadtree space.)
+// Clears the slots of everything that goes with a space that cleans up. (dSpaceGetGeom() does not work with a quadtree space.)
 void Universe::forget_contents(dSpaceID space)
 {
     for (GeomSlot &geom : geoms_)
@@ -233,7 +234,7 @@ void Universe::destroy_space(int slot)
 
 void Universe::destroy_body(int slot)
 {
-    // Contacts wait for the next step and hold on to their bodies.
+    // Contacts wait for the next step, and refer to their bodies.
     dJointGroupEmpty(contacts_);
     dBodyDestroy(bodies_[static_cast<std::size_t>(slot)]);
     bodies_[static_cast<std::size_t>(slot)] = nullptr;
@@ -258,7 +259,8 @@ void Universe::put_offset(dGeomID geom, const Operation &operation)
     dGeomSetOffsetRotation(geom, rotation);
 }
 
-// Not with an offset: the place that a simple space needs for a notice would be computed anew, with other round-off.
+// Geoms with an offset are left out: the place that a simple space needs for a notice would be computed again, with other
+// round-off.
 void Universe::change_in_place(GeomSlot &geom, dReal size)
 {
     if (dGeomIsOffset(geom.id))
@@ -351,8 +353,8 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
     case Action::attach:
         if (placeable && (operation.object < 0 || find_body(operation.object)))
         {
-            // From body to body ODE drops an offset, but neither its memory nor the mark that the place is to be computed,
-            // and later stops at an assertion.
+            // When a geom changes its body, ODE drops an offset, but neither frees it nor clears the mark that the place is to
+            // be computed, and later stops at an assertion.
             if (operation.object >= 0)
                 dGeomClearOffset(geom.id);
             dGeomSetBody(geom.id, find_body(operation.object));

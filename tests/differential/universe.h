@@ -1,5 +1,3 @@
-// A world, its geoms and its spaces, in which a history happens.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_UNIVERSE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_DIFFERENTIAL_UNIVERSE_H
 
@@ -9,12 +7,13 @@
 
 namespace ode_predictive_space
 {
-/// One of two universes in which the same history happens: all that differs is the kind of the outermost space (and of the
-/// nested ones of the same kind).
+/// One of two universes with the same history, which differ only in the kind of the outermost space (and of the nested ones of
+/// the same kind).
 ///
-/// Two worlds rather than one with twins on its bodies: so the geoms of a body exclude each other in each universe as in a
-/// real program, and contacts can feed back into the motion. Both worlds move alike to the last bit, because contacts are
-/// made in the order of the geoms' numbers and the random numbers of dWorldQuickStep() are seeded before each step.
+/// There are two worlds rather than one with twins on its bodies, so that the geoms of a body exclude each other in each
+/// universe, as in a real program, and contacts can feed back into the motion. Both worlds move alike to the last bit, because
+/// contacts are made in the order of the geoms' numbers, and the random numbers of dWorldQuickStep() are seeded before each
+/// step.
 class Universe
 {
 public:
@@ -23,29 +22,27 @@ public:
     Universe(const Universe &) = delete;
     Universe &operator=(const Universe &) = delete;
 
-    /// Anything but a tick, a calm or a query. An operation on what does not exist does nothing.
+    /// Anything but a tick, a calm or a query. An operation on a missing object does nothing.
     void apply(const Operation &operation);
 
     void step(double seconds);
 
-    /// dSpaceCollide() of the outermost space, with recursion into the nested ones, and in some ticks dSpaceCollide() of
-    /// these. Pairs without order, sorted.
+    /// dSpaceCollide() of the outermost space, with recursion into the nested ones, and in some ticks dSpaceCollide() of these.
+    /// The pairs are without order, and sorted.
     Pairs tick();
 
-    /// dSpaceCollide2(), sorted, each pair as it came. Nothing when one of the two does not exist.
+    /// dSpaceCollide2(), sorted, each pair as it came; empty if one of the two does not exist.
     Pairs query(int first, int second);
 
-    /// dPredictiveSpaceValidate() of all predictive spaces.
     bool valid() const;
 
-    /// Sets the test of proximity of all predictive spaces, now and later.
+    /// Applies to present and future predictive spaces.
     void measure_by(int proximity);
 
-    /// dSpaceCollide() of the outermost space, whose callback asks it for the first geom of each pair. All pairs, sorted.
+    /// dSpaceCollide() of the outermost space, whose callback queries it for the first geom of each pair. All pairs, sorted.
     Pairs tick_asking();
 
-    /// How many contacts dCollide() finds between two geoms; none when it stops at an assertion, as it may where
-    /// coordinates are extreme.
+    /// Number of contacts of dCollide() between two geoms; 0 if it stops at an assertion, as it may for extreme coordinates.
     int contacts_between(int first, int second) const;
 
     const char *kind_name(int geom) const { return geom_kind_name(geoms_[static_cast<std::size_t>(geom)].kind); }
@@ -63,7 +60,7 @@ private:
     {
         dGeomID id = nullptr;
         GeomKind kind = GeomKind::sphere;
-        OwnShapeData *own_data = nullptr; ///< in own_data_, when the geom is made of it
+        OwnShapeData *own_data = nullptr; ///< in own_data_, if the geom is made from it
         Drive drive;
     };
     struct SpaceSlot
@@ -107,7 +104,7 @@ private:
     History setup_;
     dWorldID world_;
     dJointGroupID contacts_;
-    std::vector<std::unique_ptr<OwnShapeData>> own_data_; // until the end: spaces destroy geoms, too
+    std::vector<std::unique_ptr<OwnShapeData>> own_data_; // kept until the end, as spaces destroy geoms, too
     std::vector<GeomSlot> geoms_;
     std::vector<dBodyID> bodies_;
     std::vector<SpaceSlot> spaces_;

@@ -1,4 +1,4 @@
-// Universe: time passes, and what is reported.
+// Universe: the passage of time, and the reports.
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@ namespace ode_predictive_space
 {
 namespace
 {
-// What programs do with nested spaces. The lower number comes first, because dSpaceCollide2() of two spaces of the same
-// size does not test whether the geoms of the second are enabled.
+// The usual recursion into nested spaces. The lower number comes first, because dSpaceCollide2() of two spaces of the same size
+// does not test whether the geoms of the second are enabled.
 void record_and_recurse(void *data, dGeomID first, dGeomID second)
 {
     static_cast<Pairs *>(data)->push_back({geom_number(first), geom_number(second)});
@@ -92,7 +92,7 @@ bool Universe::can_touch(int number) const
     if (geom.kind != GeomKind::sphere && geom.kind != GeomKind::box && geom.kind != GeomKind::capsule)
         return false;
     const dReal *position = dGeomGetPosition(geom.id);
-    // Not at the ends of the world, where a contact would be as deep as it is far; false also for NaN.
+    // Contacts at the ends of the world would be as deep as they are far; the result is false also for NaN.
     double distance = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
         distance += std::fabs(position[axis] - setup_.middle[axis]);
@@ -153,7 +153,7 @@ Pairs Universe::query(int first, int second)
 
 namespace
 {
-// Who asks has everything predicted from then on, new geoms too. In some spaces that is soon, in others late.
+// This query makes a space predict everything from then on, new geoms too. It comes early in some spaces and late in others.
 void ask_sometimes(dSpaceID space)
 {
     if (dSpaceGetNumGeoms(space) % 8 == 5)
@@ -161,7 +161,7 @@ void ask_sometimes(dSpaceID space)
 }
 } // namespace
 
-// By shape, validating calls dCollide(), too: where that stops at an assertion, the poses are given back.
+// With the shape test, validation calls dCollide(), too. If that stops at an assertion, the poses are restored.
 bool Universe::valid() const
 {
     const auto is_valid = [](const SpaceSlot &space) {
@@ -207,7 +207,7 @@ Pairs Universe::tick_asking()
     } asked{as_geom(spaces_[0].id), {}};
     dSpaceCollide(spaces_[0].id, &asked, [](void *data, dGeomID first, dGeomID second) {
         Asked &asked = *static_cast<Asked *>(data);
-        // The lower number first: which geom is the first one in a callback is not promised.
+        // The lower number is taken, as the order of the geoms in a callback is not specified.
         dGeomID asking = geom_number(first) < geom_number(second) ? first : second;
         asked.pairs.push_back({geom_number(first), geom_number(second)});
         if (!dGeomIsSpace(asking))
@@ -231,7 +231,7 @@ void break_off_later(void *data, dGeomID, dGeomID)
 }
 } // namespace
 
-// The predictive space is exact after that; a simple one would stay locked.
+// A predictive space is exact afterwards; a simple one would stay locked.
 void Universe::break_off(const Operation &operation)
 {
     BrokenOff later{operation.number};
@@ -250,7 +250,7 @@ void Universe::break_off(const Operation &operation)
     {}
 }
 
-// Where a simple space asks for the box, it would stay locked.
+// A simple space would stay locked if it computes the box.
 void Universe::throw_bounds(const Operation &operation)
 {
     const bool all_predictive = std::all_of(spaces_.begin(), spaces_.end(),

@@ -1,4 +1,4 @@
-// Linked with a predictive space that trusts its predictions blindly: the differential test must notice.
+// Linked with a predictive space that never verifies its predictions: the differential test must notice.
 
 #include "tests/contract/support/ode_test.h"
 #include "tests/differential/comparison.h"
@@ -10,7 +10,7 @@ namespace
 class DifferentialWithoutVerify : public ::testing::TestWithParam<Flavour>
 {};
 
-// By the pairs alone: that the invariant breaks is not what a program would see.
+// Only the pairs are compared: a program would not see that the invariant is broken.
 TEST_P(DifferentialWithoutVerify, NoticesAndShrinks)
 {
     const Terms terms{Measure::boxes, false};

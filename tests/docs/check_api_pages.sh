@@ -1,5 +1,5 @@
 #!/bin/sh
-# The pages of the public headers are made without a warning, have what the headers say, and a warning makes them fail.
+# The pages of the public headers are made without a warning and contain the text of the headers. A warning is an error.
 # Usage: check_api_pages.sh SOURCE_DIR
 set -eu
 
@@ -13,7 +13,7 @@ fail() {
 
 "$1/docs/doxygen/make" "$work/pages"
 
-# has PAGE PATTERN: in its text, without marks, line ends and double spaces.
+# has PAGE PATTERN: the text of the page, without marks, line ends and double spaces, must match.
 has() {
     sed 's/<[^>]*>//g; s/&#160;/ /g; s/&gt;/>/g; s/&lt;/</g' "$work/pages/html/$1" | tr -s '\n ' '  ' | grep --quiet -e "$2" ||
         fail "$1 does not have: $2"
@@ -28,7 +28,7 @@ has structdPredictiveSpaceStats.html 'pairs now in the near set'
 has classdPredictiveSpace.html 'See dPredictiveSpaceSetHorizon()'
 has namespaceode__predictive__space_1_1haptics.html 'make_device'
 
-# A function without a comment, in a copy.
+# In a copy, a function has no comment.
 cp -r "$1/include" "$work/include"
 mkdir -p "$work/docs"
 cp -r "$1/docs/doxygen" "$work/docs/"

@@ -1,4 +1,4 @@
-"""docs/the_tick.md names each file of some rooms once and none that does not exist, and no include goes against its order.
+"""docs/the_tick.md names each file of some rooms once and no other, and no include goes against its order.
 
 Usage: check_architecture.py FOLDER, the top folder of the project.
 """
@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = ("prediction", "broadphase", "space")  # of the others, single files are named
+ROOMS = ("prediction", "broadphase", "space")  # for the others, single files are named
 HEADING = "## The code in reading order"
 IS_FILE = re.compile(r"[a-z0-9_/]+\.(h|cpp|\*)")
 
@@ -20,7 +20,7 @@ def files_named(token):
 
 
 def reading_order(section):
-    """Its files. **room/** begins a room, each item of a list is in that room itself, and `folder/` enters a folder of it."""
+    """The files. **room/** begins a room, each item of a list is in that room itself, and `folder/` enters a folder of it."""
     room = folder = ""
     for begins_room, begins_item, token in re.findall(r"\*\*([a-z]+/)\*\*|^(\d+\.) |`([^`]+)`", section, re.MULTILINE):
         if begins_room:
@@ -34,7 +34,7 @@ def reading_order(section):
 
 
 def step_of(name):
-    """A room or a folder of broadphase/. In broadphase/ itself, a header and its source."""
+    """A room or a folder of broadphase/. In broadphase/ itself it is a header with its source."""
     path = pathlib.Path(name)
     return str(path.with_suffix("") if path.parent.name == "broadphase" else path.parent)
 

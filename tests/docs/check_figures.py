@@ -1,19 +1,20 @@
 """The figures of the pages are those of the data in docs/results.
 
-A comment above a table or a paragraph says which rows of which data it is from:
+A comment above a table or a paragraph names the rows and the data that it is from:
 
     <!-- figures: stepped.json; rows: gas 100 | game 1,000; digits: 2 -->
 
-rows    the rows of the data, in the order of the table's rows; not needed where the first columns of the table name them.
-        For a paragraph or a list: which figures it has, each as `row @ column`, in any order.
-digits  how many digits a whole number has at least before its zeros; 3 unless said.
+rows    the rows of the data, in the order of the table's rows; not needed if the first columns of the table name them.
+        For a paragraph or a list: its figures, each as `row @ column`, in any order.
+digits  the least number of digits of a whole number before its zeros; 3 by default.
 besides the other numbers of a paragraph.
 
-A table may be from several data (`stepped.json, contact.json`); each column is from the first that has it. A row that the data do
-not have is shown as "–". `<!-- figures: none: REASON -->` says why there are no data. In the pages of TABLES_ARE_FROM_DATA each
-table with figures has such a comment, in those of ALL_IS_FROM_DATA each paragraph with a measured figure, too.
+A table may be from several data (`stepped.json, contact.json`); each column is from the first that has it. A row that is
+missing in the data is shown as "–". `<!-- figures: none: REASON -->` gives the reason for missing data. In the pages of
+TABLES_ARE_FROM_DATA each table with figures has such a comment, in those of ALL_IS_FROM_DATA each paragraph with a measured
+figure, too.
 
-A figure is right when the data's value, rounded to as many digits as are printed, is that figure.
+A figure is right if it is the data's value, rounded to as many digits as are printed.
 
 Usage: check_figures.py FOLDER, the top folder of the project.
 """
@@ -33,7 +34,7 @@ TABLES_ARE_FROM_DATA = ("README.md", "packaging/release_notes_0.1.0.md", "docs/p
 ALL_IS_FROM_DATA = ("docs/performance.md",)
 ODE = ("simple", "hash", "quadtree", "sap")
 
-# What columns of pages are called in the data.
+# Names that columns of pages have in the data.
 COLUMNS = {
     "stepped.json": {
         "best ODE space": "best ODE space, mean",
@@ -63,7 +64,7 @@ COLUMNS = {
         "with / without": "now / before",
     },
 }
-# By which columns a row of a CSV file is named.
+# Columns that name a row of a CSV file.
 KEYS = {
     "clients.csv": ["program", "space"],
     "haptic_loop.csv": ["space"],
@@ -88,7 +89,7 @@ MEASURED = re.compile(rf"\d\.\d|\d{UNIT}")
 
 
 def key_of(text):
-    """`gas, 10,000` and `gas 10000` are one."""
+    """`gas, 10,000` and `gas 10000` are the same key."""
     return re.sub(r"(?<=\d),(?=\d{3})", "", text).replace(",", "").strip()
 
 
@@ -155,8 +156,8 @@ class Data:
 
 
 def worlds(records):
-    """Thousands of instructions per tick, and how many times as many the best of ODE's spaces takes as ours; of all, the
-    geometric mean of these."""
+    """Thousands of instructions per tick, and the ratio of the best of ODE's spaces to ours; for all worlds, the geometric
+    mean of these ratios."""
     sums = {}
     for record in records:
         sums.setdefault(key_of(f"{record['scene']} {record['n']}"), {})[record["space"]] = record["sum"] / 1000
@@ -175,7 +176,7 @@ def as_number(cell):
 
 
 def single(value):
-    """Of a figure with its space or of a sum, the figure."""
+    """The figure itself, if it comes with its space or is one of a sum."""
     if isinstance(value, tuple):
         return value[0] if isinstance(value[1], str) else value[-1]
     return as_number(value) if isinstance(value, str) else value
@@ -185,7 +186,7 @@ def single(value):
 
 
 def is_rounded(printed, value, digits):
-    """Whether the value, rounded as the printed number is, is that number."""
+    """Whether the value, rounded like the printed number, is that number."""
     plain = printed.replace(",", "")
     unit = 10.0 ** -len(plain.partition(".")[2])
     if "." not in plain:
@@ -207,7 +208,7 @@ def is_cell(cell, value, digits):
 
 
 def plain(text):
-    """Without what is only there for its looks, or is a name or an address."""
+    """The text without markup and addresses."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     return re.sub(r"<[^>]*>", "", text).replace("**", "").replace("`", "").strip()
 
@@ -217,14 +218,14 @@ def cells_of(line):
 
 
 def has_figures(block):
-    """A table one of whose cells begins with a number, or a paragraph with a measured one."""
+    """Whether it is a table with a cell that begins with a number, or a paragraph with a measured one."""
     if block.startswith("|"):
         return any(re.match(r"[≤≥~−]?\d", cell) for line in block.splitlines()[2:] for cell in cells_of(line))
     return bool(MEASURED.search(plain(re.sub(r"`[^`]*`", "", block))))
 
 
 class Claim:
-    """What a comment says."""
+    """The content of a comment."""
 
     def __init__(self, comment, data):
         words = re.sub(r"\s+", " ", comment)
@@ -271,7 +272,7 @@ class Claim:
             yield "nothing is compared"
 
     def paragraph(self, block):
-        """Its numbers are those that the comment names, also in units a thousand times as large, and no others."""
+        """The numbers of a paragraph are exactly those that the comment names, also in units a thousand times as large."""
         values = {}
         for name in self.rows:
             row, _, column = name.partition(" @ ")

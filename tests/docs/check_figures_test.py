@@ -1,4 +1,4 @@
-"""What check_figures.py notices, with the data of the project.
+"""The mistakes that check_figures.py notices, with the data of the project.
 
 Usage: check_figures_test.py FOLDER, the top folder of the project.
 """

@@ -1,7 +1,7 @@
-"""docs/haptics/method.md tells of each room of the haptics library which others it includes. This is so, and goes one way.
+"""docs/haptics/method.md names for each room of the haptics library the rooms that it includes. This holds, and has no cycle.
 
 Usage: check_haptic_rooms.py FOLDER, the top folder of the project. A public header belongs to the room of the source that begins by
-including it, one without a source to the room below.
+including it, and one without a source to the room below.
 """
 
 import pathlib

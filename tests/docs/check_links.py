@@ -11,7 +11,7 @@ from pages import pages_of, without_blocks
 
 
 def anchors(page):
-    """As the hosts of Git repositories make them of headings."""
+    """The anchors that hosts of Git repositories make of headings."""
     for heading in re.findall(r"^#+ (.*)$", without_blocks(page.read_text()), re.MULTILINE):
         yield re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 

@@ -11,7 +11,7 @@ from pages import blocks, pages_of
 
 
 def is_part(block, text):
-    """Whether its lines follow one another in the text, all of them moved to the left by as much."""
+    """Whether its lines are consecutive in the text, except for a common indentation."""
     lines = text.splitlines()
     size = len(block.splitlines())
     starts = range(len(lines) - size + 1)

@@ -1,4 +1,4 @@
-"""The rooms in CONTRIBUTING.md's table include those that it names, and what these include. There is no circle.
+"""The rooms in CONTRIBUTING.md's table include those that it names, and the rooms that these include. There is no cycle.
 
 Usage: check_rooms.py FOLDER, the top folder of the project. The haptics library's public headers belong to its room.
 """
@@ -13,12 +13,12 @@ INCLUDE = re.compile(r'^#include ["<]((?:ode_predictive_space|demos)/[^">]+)[">]
 
 
 def table(page):
-    """{room: [rooms that it is said to include]}, in the order of the rows."""
+    """{room: [rooms that it may include]}, in the order of the rows."""
     return {room: re.findall(r"`([a-z/]+)`", uses) for room, uses in ROW.findall(page)}
 
 
 def room_of(top, path):
-    """The room of a file, or of what is included by that name; none of a program in demos/."""
+    """The room of a file or of an included name; none for a program in demos/."""
     folders = path.split("/")[:-1]
     if folders[0] == "include":
         folders = folders[1:]
@@ -42,7 +42,7 @@ def includes(top):
 
 
 def below(rooms, room):
-    """The rooms that a room may include. Those of a row are named in rows above it, hence the end."""
+    """The rooms that a room may include. A row names only rooms of earlier rows, so the recursion ends."""
     return set(rooms[room]).union(*(below(rooms, used) for used in rooms[room]))
 
 

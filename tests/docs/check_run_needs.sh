@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks which packages each command of `./run` installs and what it builds: no games for the tests, no tests for the demo, the promise
-# tested first; and that it names the packages and asks before.
+# Checks which packages each command of `./run` installs and which targets it builds: no games for the tests, no tests for the
+# demo, the promise tested first; and that it names the packages and asks before.
 # Usage: check_run_needs.sh SOURCE_DIR
 
 set -uo pipefail
@@ -10,7 +10,7 @@ set -uo pipefail
 run_without_doing "$1"
 wrong=0
 
-# calls_of <arguments>: sets done_by to what `./run` called.
+# calls_of <arguments>: sets done_by to the calls that `./run` makes.
 calls_of() {
     command=$*
     : >"$calls"
@@ -33,7 +33,7 @@ calls_of hello
 has 'apt-get install .*libode-dev'
 has 'cmake -S . -B build/hello .*BUILD_TESTS=OFF'
 has 'cmake --build build/hello --target ode_predictive_space'
-has 'apt-get install .*libcli11-dev' # the tutorial goes on to the tool
+has 'apt-get install .*libcli11-dev' # the tutorial also uses the tool
 lacks 'libgtest|dpkg-dev|libgl'
 lacks 'apt-get .*source'
 
@@ -68,7 +68,7 @@ lacks "libbenchmark|lintian|mmdebstrap|$games"
 has 'apt-get install .*debhelper'
 has 'make_debian_packages\.sh'
 
-# What the benchmark prints can be kept in a file: nothing of its build is in it.
+# The output of the benchmark can be kept in a file: it contains nothing of the build.
 for ode in "" "--ode release"; do
     command="bench $ode"
     # shellcheck disable=SC2086 # two words or none
@@ -76,7 +76,7 @@ for ode in "" "--ode release"; do
     [[ -z $done_by ]] || complain 'what is built is in the output'
 done
 
-# What asks for certain tests gets them, in one go.
+# Selected tests run in one go.
 calls_of test --preset asan --long -R Contract
 count 1 '^ctest'
 has 'ctest --preset asan .* -R Contract'
@@ -84,7 +84,7 @@ has 'cmake .*TEST_LONG=ON'
 has 'label-exclude \^\(none\)\$'
 has 'apt-get install .*clang'
 
-# Packages are named before they are installed, without a question where there is no terminal; on one, the user decides.
+# Packages are named before they are installed. Without a terminal there is no question; on one, the user decides.
 command=hello
 done_by=$("$copy/run" hello 2>&1 >/dev/null </dev/null)
 has '^-- Packages to install with apt-get: .*libode-dev'
@@ -101,7 +101,7 @@ if command -v script >/dev/null; then
     has '^apt-get install'
 fi
 
-# Without apt, a sentence says what is missing and where it is to be had.
+# Without apt, a sentence names what is missing, and the packages that have it.
 mkdir "$work/bare"
 for tool in bash dirname env grep; do
     ln -s "$(command -v "$tool")" "$work/bare/$tool"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # `./run` refuses command lines that it does not understand: exit code 2, one line, and nothing is installed or built for them.
-# No command's --help needs a build either, but the demo's.
+# Only the demo's --help needs a build.
 # Usage: check_run_refuses.sh SOURCE_DIR
 
 set -uo pipefail
@@ -51,7 +51,7 @@ refuses dev docs latex
 refuses format --all
 refuses dev tidy first
 
-# explains <command...>: its help needs nothing that is installed or built.
+# explains <command...>: its help needs no installation and no build.
 explains() {
     local help
     help=$("$copy/run" "$@" --help 2>&1) || complain "run $* --help fails: $help"
@@ -62,7 +62,7 @@ explains() {
     fi
 }
 
-# The demo's help is the demo's.
+# The demo prints its help itself.
 while read -r command subcommand _; do
     [[ $command == dev ]] || subcommand=
     [[ $command == demo ]] || explains "$command" $subcommand

@@ -1,4 +1,4 @@
-"""Each table of a page is one: an empty line inside it would show the rows below as text.
+"""Each table of a page is whole: an empty line inside it would show the rows below as text.
 
 Usage: check_tables.py FOLDER, the top folder of the project.
 """

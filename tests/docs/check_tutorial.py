@@ -1,13 +1,13 @@
-"""Runs a page: writes its programs, runs its commands in their order, and compares what they print with what it shows.
+"""Runs a page: writes its programs, runs its commands in their order, and compares their output with the page.
 
 Usage: check_tutorial.py TOP PAGE SCRATCH COMPILER [PREFIX [FLAGS...]]
 
-TOP is the project's folder, SCRATCH one for what the page makes. A block of C++ that begins with a comment with the name of a file
-is written to that file. All blocks of `sh` run in one shell. A block of `text` is what the block before it prints; a line `...` of
-it stands for any lines. `c++` is COMPILER with FLAGS, which has warnings as errors.
+TOP is the project's folder, SCRATCH one for the files of the page. A block of C++ that begins with a comment with the name of
+a file is written to that file. All blocks of `sh` run in one shell. A block of `text` is the output of the block before it; a
+line `...` of it stands for any lines. `c++` is COMPILER with FLAGS, which has warnings as errors.
 
-With a PREFIX in which the libraries are installed, it stands in for what the page builds: blocks that call ./run are left out.
-Without, they run in a copy of the project.
+A PREFIX in which the libraries are installed replaces the page's own build: blocks that call ./run are left out. Without it,
+they run in a copy of the project.
 """
 
 import os
@@ -49,7 +49,7 @@ def write_compiler(folder, compiler, flags):
 
 
 def steps(text, with_run):
-    """(what the shell does, what it should print or None) of each block."""
+    """(input of the shell, expected output or None) of each block."""
     found = []
     for source, language, block in blocks(text):
         named = re.match(r"// ([\w.]+)\n", block)

@@ -1,4 +1,4 @@
-"""The version is that of CMakeLists.txt wherever else it is written.
+"""Every mention of the version is that of CMakeLists.txt.
 
 Usage: check_version.py SOURCE_DIR
 """

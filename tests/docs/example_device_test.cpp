@@ -14,7 +14,7 @@ using haptics::DeviceError;
 using haptics::DeviceFault;
 using haptics::Vector3;
 
-/// The other end.
+/// The server of the example device.
 class Server
 {
 public:
@@ -45,7 +45,6 @@ public:
         answer.join();
     }
 
-    /// Waits for the next force.
     Vector3 receive()
     {
         Vector3 force(7, 7, 7);
@@ -61,7 +60,7 @@ public:
         send(numbers_.size());
     }
 
-    /// The first of the numbers that were told last.
+    /// Sends the first `count` numbers of those that were set last.
     void send(std::size_t count)
     {
         sendto(socket_, numbers_.data(), count * sizeof(double), 0, reinterpret_cast<sockaddr *>(&client_),
@@ -171,7 +170,7 @@ TEST(ExampleDevice, isLostWithItsServer)
     ExampleDevice device(server->port());
     server->open(device);
     server.reset();
-    device.write(force_of(1, 0, 0)); // nobody is told of this one
+    device.write(force_of(1, 0, 0)); // this one is lost without an error
     EXPECT_EQ(DeviceFault::lost, fault_of([&] { device.write(force_of(1, 0, 0)); }));
 }
 } // namespace

@@ -8,7 +8,7 @@ def pages_of(top):
 
 
 def blocks(text):
-    """The blocks of code of a page: (what the comment above it says it is from, or None; language; text)."""
+    """The blocks of code of a page: (source named by the comment above, or None; language; text)."""
     pattern = r"(?:^<!-- from ([^ ]+) -->\n)?^```(\w*)\n(.*?)^```$"
     return re.findall(pattern, text, re.MULTILINE | re.DOTALL)
 

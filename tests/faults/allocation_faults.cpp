@@ -6,7 +6,7 @@
 
 namespace
 {
-long spared_allocations = -1; // before the one that fails; negative when none is to fail
+long spared_allocations = -1; // before the one that fails; negative: none fails
 
 void *allocate(std::size_t size, std::size_t alignment)
 {

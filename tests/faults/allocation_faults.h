@@ -5,7 +5,7 @@
 
 namespace ode_predictive_space
 {
-/// While it lives, the allocation after `spared` others fails; those after it succeed again.
+/// During its lifetime, the allocation after `spared` others fails; later ones succeed again.
 class AllocationFault
 {
 public:
@@ -14,7 +14,6 @@ public:
     AllocationFault(const AllocationFault &) = delete;
     AllocationFault &operator=(const AllocationFault &) = delete;
 
-    /// Has an allocation failed?
     bool struck() const;
 };
 } // namespace ode_predictive_space

@@ -1,4 +1,4 @@
-// Memory that runs out in the middle of an update: the call throws, and whatever comes next is exact.
+// Memory runs out in the middle of an update: the call throws, and later results are exact.
 
 #include <functional>
 #include <new>
@@ -12,7 +12,6 @@ namespace
 {
 using AllocationFaults = OdeTest;
 
-/// What a program was doing when memory ran out.
 struct Situation
 {
     const char *name;
@@ -281,8 +280,8 @@ const Situation situations[] = {
 class EverySituation : public OdeTest, public ::testing::WithParamInterface<Situation>
 {};
 
-// The first allocation fails, the second, and so on, until all succeed. Every other time, objects are added and removed before the
-// next tick.
+// The first allocation fails, then the second, and so on, until all succeed. Every other time, objects are added and removed
+// before the next tick.
 TEST_P(EverySituation, TheNextTickIsExactWhicheverAllocationFails)
 {
     const Situation &situation = GetParam();

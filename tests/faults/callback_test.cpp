@@ -1,4 +1,4 @@
-// A program's functions that throw through the space: the lock is released, and whatever comes next is exact.
+// A program's functions throw through the space: the lock is released, and later results are exact.
 
 #include <functional>
 
@@ -9,7 +9,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-/// What a program was doing when one of its functions threw.
 struct Call
 {
     const char *name;
@@ -93,7 +92,7 @@ const Call calls[] = {
 class EveryCall : public OdeTest, public ::testing::WithParamInterface<Call>
 {};
 
-// The functions of a user class throw at their first call, at their second, and so on, until none does.
+// The functions of a user class throw at their first call, then at their second, and so on, until none throws.
 TEST_P(EveryCall, TheNextTickIsExactWhicheverCallOfAUserClassThrows)
 {
     bool struck = true;
@@ -127,11 +126,10 @@ TEST_P(EveryCall, TheNextTickIsExactWhicheverCallOfAUserClassThrows)
     RecordProperty("faults", faults);
 }
 
-// The near callback throws at its first call, at its second, and so on.
 struct NearFault
 {
     long spared;
-    dSpaceID asked_within = nullptr; // by the callback itself, whose inner callback then throws
+    dSpaceID asked_within = nullptr; // the callback queries it, and its inner callback then throws
 
     struct Thrown
     {};

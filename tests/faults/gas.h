@@ -1,4 +1,4 @@
-// A scene for tests of what throws: it can be made anew for each fault, and says whether what is reported is exact.
+// A scene for tests of exceptions: it can be made again for each fault, and checks that reports are exact.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_FAULTS_GAS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_FAULTS_GAS_H
@@ -14,7 +14,6 @@
 
 namespace ode_predictive_space
 {
-/// Of what a gas consists.
 enum class Matter
 {
     plain,  ///< spheres and boxes
@@ -22,7 +21,7 @@ enum class Matter
     user    ///< also geoms of a user class, whose functions can throw (UserClass)
 };
 
-/// A class of geoms, cubes with edges of 0.6, whose functions throw when they are told to.
+/// A class of geoms, cubes with edges of 0.6, whose functions throw on request.
 class UserClass
 {
 public:
@@ -31,7 +30,7 @@ public:
 
     static dGeomID create(dSpaceID space);
 
-    /// While it lives, one call of the functions throws, after `spared` others.
+    /// During its lifetime, one call of the functions throws, after `spared` others.
     class Fault
     {
     public:
@@ -47,10 +46,9 @@ private:
     static void bounds(dGeomID geom, dReal aabb[6]);
     static int overlaps(dGeomID geom, dGeomID other, dReal aabb[6]);
 
-    static inline long spared_ = -1; // calls before the one that throws; negative when none is to throw
+    static inline long spared_ = -1; // calls before the one that throws; negative: none throws
 };
 
-/// A gas, moved in the same way in each copy of it.
 class Gas
 {
 public:
@@ -58,7 +56,7 @@ public:
         : space_(dPredictiveSpaceCreate(nullptr)), matter_(matter), leaves_out_(proximity != dPredictiveProximityBox)
     {
         dPredictiveSpaceSetProximity(space_, proximity);
-        bodies_.reserve(2 * static_cast<std::size_t>(count)); // no faults of the test itself
+        bodies_.reserve(2 * static_cast<std::size_t>(count)); // the test itself must not fail to allocate
         for (int i = 0; i < count; ++i)
             add();
     }
@@ -95,7 +93,7 @@ public:
         }
     }
 
-    /// Everything, and what is added later, is so far away along x.
+    /// Moves everything, also what is added later, by this distance along x.
     void shift(dReal distance)
     {
         shift_ += distance;
@@ -106,7 +104,6 @@ public:
         }
     }
 
-    /// All velocities change, and some objects jump.
     void explode()
     {
         for (Body &body : bodies_)
@@ -129,7 +126,7 @@ public:
     void expect_exact_answer() const
     {
         dGeomID probe = number_geom(dCreateSphere(nullptr, 2), -1);
-        dGeomSetPosition(probe, shift_ + REAL(2.5), 0, 0); // not where geoms are made
+        dGeomSetPosition(probe, shift_ + REAL(2.5), 0, 0); // outside the region in which geoms are made
         Pairs expected;
         for (const Body &body : bodies_)
             if (overlap(probe, body.geom))
@@ -171,7 +168,7 @@ private:
         dReal velocity[3];
     };
 
-    // By sphere or shape, pairs without contacts may be left out; dPredictiveSpaceValidate() looks for contacts.
+    // With the sphere and shape tests, pairs without contacts may be left out; dPredictiveSpaceValidate() checks for contacts.
     void expect_right(const Pairs &reported) const
     {
         const Pairs expected = overlapping();

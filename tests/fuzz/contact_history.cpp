@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 
 constexpr std::size_t most_operations = 200;
 
-// In the first byte. Two bits choose the deviation.
+// Bits of the first byte. Two bits choose the deviation.
 constexpr int by_shape = 1, asks = 8, deviations_at = 2;
 
-// In the number of a geom that is made.
+// Bits of the number of a geom that is made.
 constexpr int with_body = 16, coherent = 32, single = 64;
 
 double fraction(std::uint8_t byte)
@@ -36,13 +36,12 @@ Vector3d sides(const std::uint8_t *bytes)
     return {side(bytes[0]), side(bytes[1]), side(bytes[2])};
 }
 
-// From a billionth to 1.
+// A number from a billionth to 1.
 double small(std::uint8_t byte)
 {
     return std::pow(10, -9 + 9 * fraction(byte));
 }
 
-// Some along an axis, some along a diagonal.
 Vector3d direction(std::uint8_t height, std::uint8_t around)
 {
     if (around < 48)
@@ -94,7 +93,6 @@ const char *action_name(std::uint8_t byte)
     return names[static_cast<std::size_t>(action_of(byte))];
 }
 
-// One operation of eight bytes.
 class ContactStep
 {
 public:
@@ -161,7 +159,7 @@ private:
         });
     }
 
-    // Until both are predicted to stay.
+    // Waits until both are predicted to stay.
     std::string rest()
     {
         constexpr int ticks = 8;
@@ -171,7 +169,8 @@ private:
         return wrong;
     }
 
-    // Corners of a cube around the place: the farthest that a check of coordinates allows. The two go opposite ways.
+    // The geoms go to corners of a cube around their places, the farthest that a check of coordinates allows, in opposite
+    // directions.
     std::string wobble()
     {
         const double half = side(bytes_[4]);
@@ -179,7 +178,7 @@ private:
         if (const std::string wrong = rest(); !wrong.empty())
             return wrong;
         return each_tick([&](int i) {
-            if (i > 0) // what has just moved may deviate
+            if (i > 0) // a geom that has just moved may deviate
                 world_.foretell(subject_, object_);
             const int corner = bytes_[5] * (i + 1) + bytes_[6] * i * i;
             const Vector3d to = half * Vector3d(corner & 4 ? 1 : -1, corner & 8 ? 1 : -1, corner & 16 ? 1 : -1);
@@ -218,7 +217,7 @@ private:
         world_.place_beside(subject_, object_, heading(), with_contact, with_contact ? -part : part);
     }
 
-    // Of a length from a half to 2.
+    // The length is from a half to 2.
     Eigen::Vector4d quaternion() const
     {
         const Vector3d imaginary = heading() * fraction(bytes_[7]);

@@ -1,4 +1,4 @@
-// Random histories of contacts, each about something: no contact is without a callback. The fuzzer begins with such histories.
+// Random histories of contacts, each with a theme: no contact is without a callback. The fuzzer starts with such histories.
 
 #include <array>
 #include <random>
@@ -21,12 +21,12 @@ constexpr std::uint8_t body = 16, coherent = 32;
 struct Theme
 {
     const char *name;
-    std::vector<std::uint8_t> settings; ///< of one of these
-    std::vector<int> classes;           ///< geoms are from these
-    std::uint8_t made;                  ///< bits of the number of each geom that are set
-    std::uint8_t thinnest, longest;     ///< bytes of sides
-    std::uint8_t least, most;           ///< bytes of small parts
-    std::vector<Action> actions;        ///< beside geoms that are placed beside each other
+    std::vector<std::uint8_t> settings; ///< one of these is chosen
+    std::vector<int> classes;           ///< classes of the geoms
+    std::uint8_t made;                  ///< bits that are set in the number of each geom
+    std::uint8_t thinnest, longest;     ///< range of the bytes for sides
+    std::uint8_t least, most;           ///< range of the bytes for small parts
+    std::vector<Action> actions;        ///< in addition to placing geoms beside each other
 };
 
 void PrintTo(const Theme &theme, std::ostream *stream)
@@ -58,7 +58,7 @@ public:
         constexpr int operations = 40;
         for (int i = 0; i < operations; ++i)
         {
-            // Mostly of two geoms that were placed beside each other.
+            // Half of the actions are for two geoms that are placed beside each other first.
             if (random_() % 2 == 0)
             {
                 append(Action::place_beside, slot(), slot());
@@ -223,7 +223,7 @@ const Theme themes[] = {
      140,
      147,
      {Action::wobble}},
-    // The forecast of a geom without a body extrapolates its motion; that of a body at rest stays in place.
+    // The forecast of a geom without a body extrapolates its motion; that of a resting body stays in place.
     {"wobbling_bodies",
      {by_sphere | large_deviation | asking, by_shape | large_deviation | asking},
      {dSphereClass, dSphereClass, dBoxClass},

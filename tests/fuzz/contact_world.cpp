@@ -20,13 +20,12 @@ dReal real(double value)
     return static_cast<dReal>(value);
 }
 
-// Five vertices, three slivers.
 Polyhedron strip()
 {
     return {{{-1, -1, 0}, {-0.5, 1, 0.2}, {0, -1, 0}, {0.5, 1, 0.2}, {1, -1, 0}}, {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}}};
 }
 
-// ODE wants the origin within a convex. Meshes may be flat, and away from their position.
+// ODE requires the origin within a convex. Meshes may be flat, and away from their position.
 Polyhedron polyhedron_of(const Form &form)
 {
     const bool mesh = form.type == dTriMeshClass;
@@ -49,8 +48,8 @@ void set_position(dGeomID geom, const Vector3d &at)
     dGeomSetPosition(geom, real(at[0]), real(at[1]), real(at[2]));
 }
 
-// A mesh that keeps its triangles from tick to tick has a list of them for each geom that it met. ODE frees these lists when they
-// are cleared, but not with the mesh: LeakSanitizer finds them.
+// A mesh that keeps its triangles from tick to tick has a list of them for each geom that it met. ODE frees these lists when
+// they are cleared, but not with the mesh, so LeakSanitizer would find them.
 void clear_kept_triangles(dGeomID geom)
 {
     if (geom && dGeomGetClass(geom) == dTriMeshClass)
@@ -114,7 +113,7 @@ dGeomID ContactWorld::create(Slot &slot)
     default:
     {
         std::mt19937_64 random(static_cast<unsigned>(slot.form.polyhedron));
-        // Repeated without end, 0.1 mm of ground below 100 m of a geom is more cells than ODE has memory for.
+        // If it were repeated without end, cells of 0.1 mm below a geom of 100 m would exceed ODE's memory.
         return dCreateHeightfield(space_, hills_.emplace_back(random, sides[0], sides[1], false).id(), 1);
     }
     }
@@ -126,7 +125,7 @@ void ContactWorld::make(int slot, const Form &form)
     Slot &made = slots_[static_cast<std::size_t>(slot)];
     made.form = form;
     made.geom = create(made);
-    if (slot % 2 == 0) // beside these, by shape, primitives are told apart by shape
+    if (slot % 2 == 0) // with the shape test, their pairs with primitives are tested by shape
         dPredictiveSpaceSetGeomRole(space_, made.geom, dPredictiveRoleInteractive);
     if (form.type == dTriMeshClass && form.coherent)
         for (int type : {dSphereClass, dBoxClass, dCapsuleClass})
@@ -211,7 +210,7 @@ void ContactWorld::turn(int slot, const Vector3d &axis, double angle)
 
 namespace
 {
-// A body's quaternion is made one of length 1; its matrix need be no rotation. ODE asks that its first rows are independent.
+// The quaternion of a body is normalised, but its matrix need not be a rotation. ODE requires independent first rows.
 void set_matrix_of(dGeomID geom, const dQuaternion quaternion)
 {
     dMatrix3 matrix;
@@ -258,7 +257,7 @@ void ContactWorld::give_data(Slot &slot)
     {
         slot.convex = &convexes_.emplace_back(polyhedron_of(slot.form));
         slot.convex->give_to(slot.geom);
-        // ODE does not say that its box has changed. By spheres, the box is all that is known of it.
+        // ODE sends no notice of the new box, and the sphere test knows only the box.
         if (setting_.proximity == dPredictiveProximitySphere)
             dPredictiveSpaceGeomChanged(space_, slot.geom);
         return;
@@ -302,7 +301,7 @@ void ContactWorld::change_in_place(int slot, const Vector3d &factors)
         return;
     const Vector3d before = changed->form.sides;
     changed->form.sides = before.cwiseProduct(factors);
-    // An update of corners leaves the box of a mesh as it was. By spheres, the box is all that is known of it.
+    // An update of corners leaves the box of a mesh as it was, and the sphere test knows only the box.
     if (changed->mesh && setting_.proximity == dPredictiveProximitySphere)
         return rebuild_in_place(slot, changed->form.polyhedron, changed->form.sides);
     if (changed->convex)
@@ -346,7 +345,7 @@ double ContactWorld::extent_of(int slot) const
     return std::isfinite(extent) ? extent : 0;
 }
 
-// About other pairs with convexes ODE asks libccd, which does not end beside some forms that are all but flat.
+// ODE uses libccd for other pairs with convexes, and libccd does not end for some nearly flat shapes.
 bool ContactWorld::collidable(const Slot &one, const Slot &other)
 {
     const auto excluded = [](const Slot &first, const Slot &second) {
@@ -384,7 +383,7 @@ void ContactWorld::foretell(int slot, int other)
     forecast_.boxes = {resting_box(*one), resting_box(*second)};
 }
 
-// The forecast of a body at rest stays in place.
+// The forecast of a resting body stays in place.
 std::optional<ContactWorld::Bounds> ContactWorld::resting_box(const Slot &slot)
 {
     const dBodyID body = dGeomGetBody(slot.geom);

@@ -1,4 +1,5 @@
-// Any bytes are a history of geoms in a predictive space, by its sphere or its shape test: each pair with contacts has a callback.
+// Any bytes are a history of geoms in a predictive space with the sphere or the shape test: each pair with contacts has a
+// callback.
 
 #include <cstdio>
 #include <cstdlib>

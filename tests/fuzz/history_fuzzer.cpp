@@ -1,5 +1,5 @@
-// Any bytes as a recorded history: the reader takes them, or refuses them and names a byte. What it takes is replayed, and where it
-// is such as a program could have recorded it, a predictive space finds the pairs of a simple one.
+// Any bytes as a recorded history: the reader accepts them, or refuses them and names a byte. An accepted history is replayed,
+// and if a program could have recorded it, a predictive space finds the pairs of a simple one.
 
 #include <algorithm>
 #include <array>
@@ -44,13 +44,13 @@ bool start_ode()
     return true;
 }
 
-// Few enough for a replay of any bytes to come to an end soon.
+// Few enough for a short replay of any bytes.
 bool is_small(const Recording &recording)
 {
     return recording.events().size() <= 50 && recording.geom_count() <= 100;
 }
 
-// Small enough for no sum or product to leave the numbers.
+// Small enough for all sums and products to be finite.
 bool is_usual(const dReal *values, std::size_t count)
 {
     return std::all_of(values, values + count, [](dReal value) { return std::abs(value) < 1e6; });
@@ -89,7 +89,7 @@ bool is_usual(const GeomChange &change)
     return !(change.fields & geom_field::pose) || !has_own_pose(state) || is_usual(state.pose);
 }
 
-// A program that does what ODE wants.
+// The recording is of a program that obeys ODE's rules.
 bool is_usual(const Recording &recording)
 {
     for (const Record &record : recording.records())

@@ -13,12 +13,12 @@ namespace
 constexpr std::size_t bytes_per_operation = 8, most_operations = 200;
 constexpr int geoms = 256, bodies = 8, spaces = 4;
 
-// First bytes from these on stand for many operations: trees, sweeps and predictions in parts need more objects than there are
+// First bytes from these on stand for many operations: trees, sweeps and partial predictions need more objects than there are
 // bytes for.
 constexpr std::uint8_t first_jumping = 240, first_crowd = 248;
 constexpr int most_crowds = 3;
 
-// In the first byte, beside the measure.
+// Bits of the first byte, beside the measure.
 constexpr int with_contacts = 4, with_gravity = 8, with_sleep = 16, with_extremes = 32;
 
 double coordinate(std::uint8_t byte)
@@ -26,7 +26,7 @@ double coordinate(std::uint8_t byte)
     return (byte - 123) / 16.0; // up to 8, exact
 }
 
-// The last bytes are numbers that break careless programs.
+// The last bytes stand for numbers that break careless programs.
 double extreme_coordinate(std::uint8_t byte)
 {
     constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
@@ -50,7 +50,6 @@ public:
 
     Measure measure() const { return measure_; }
 
-    /// Appends what the next bytes_per_operation bytes stand for.
     void append(const std::uint8_t *bytes, std::vector<Operation> &operations)
     {
         if (bytes[0] < first_jumping)
@@ -62,7 +61,6 @@ public:
     }
 
 private:
-    // Spheres and boxes on a grid; one of every few moves.
     void append_crowd(const std::uint8_t *bytes, std::vector<Operation> &operations) const
     {
         const int count = bytes[3] % 200, every = 1 + bytes[2] % 16;
@@ -84,7 +82,6 @@ private:
         }
     }
 
-    // As after an explosion: other places, other ways to go on.
     void append_jumps(const std::uint8_t *bytes, std::vector<Operation> &operations) const
     {
         const int count = bytes[3] % 200;
@@ -104,7 +101,6 @@ private:
         }
     }
 
-    // `bytes` has bytes_per_operation.
     Operation operation(const std::uint8_t *bytes) const
     {
         Operation made;
@@ -118,7 +114,7 @@ private:
         return made;
     }
 
-    // Actions that came later have the last bytes, so that the inputs found before mean what they meant.
+    // Newer actions have the last bytes, so that older inputs keep their meaning.
     static Action action(std::uint8_t byte)
     {
         constexpr int first_ones = static_cast<int>(Action::distort_geom), repeated = 252 / first_ones * first_ones;
@@ -127,7 +123,6 @@ private:
         return static_cast<Action>(first_ones + byte % (static_cast<int>(Action::last) + 1 - first_ones));
     }
 
-    // Into what the action takes.
     void fit(Operation &made, const std::uint8_t *bytes) const
     {
         switch (made.action)
@@ -196,7 +191,7 @@ private:
             made.object %= spaces;
             break;
         case Action::make_space:
-            // By the other measures, pairs of spaces would be left out.
+            // The other tests of proximity would leave out pairs of spaces.
             made.subject = measure_ == Measure::boxes ? made.subject % spaces : 0;
             made.object = bytes[2] % 8 == 7 ? -1 : bytes[2] % spaces;
             made.number = bytes[3] % 3 + 16 * (bytes[3] / 128);

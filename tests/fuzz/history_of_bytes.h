@@ -1,4 +1,4 @@
-// Any bytes as a history of the differential test.
+// A history of the differential test from any bytes.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_FUZZ_HISTORY_OF_BYTES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_FUZZ_HISTORY_OF_BYTES_H
@@ -16,9 +16,8 @@ struct FuzzedRun
     Terms terms;
 };
 
-/// One byte of settings, then eight bytes for each operation: action, subject, object, number and four values. The last
-/// actions stand for many operations each. What is behind the 200th is ignored. All bytes mean something, and the operations are
-/// legal ones.
+/// One byte of settings, then eight bytes for each operation: action, subject, object, number and four values. The last actions
+/// stand for many operations each. Operations after the 200th are ignored. All bytes are valid, and the operations are legal.
 FuzzedRun run_of_bytes(const std::uint8_t *data, std::size_t size);
 } // namespace ode_predictive_space
 

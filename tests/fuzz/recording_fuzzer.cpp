@@ -1,4 +1,4 @@
-// Any bytes as a recording: the reader takes it, or refuses it and names the line. What it takes keeps its promises.
+// Any bytes as a recording: the reader accepts it, or refuses it and names the line. An accepted recording keeps its promises.
 
 #include <cstdio>
 #include <cstdlib>
@@ -23,7 +23,7 @@ void expect(bool holds, const char *what)
     std::abort();
 }
 
-// Few enough for a file of random bytes to have more.
+// A file of random bytes can have more.
 constexpr std::size_t most_ticks = 20;
 
 void check(const Recording &recording)
@@ -43,7 +43,7 @@ void check(const Recording &recording)
     }
 }
 
-// A file in memory, where there is such a file system.
+// A file in memory, if the system has such files.
 std::string file_of_process()
 {
     const char *folder = access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp";

@@ -13,7 +13,7 @@ namespace
 void replay(const std::filesystem::path &path)
 {
     std::printf("%s\n", path.c_str());
-    std::fflush(stdout); // the name of the one that ends the process
+    std::fflush(stdout); // names the file that ends the process
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t *>(bytes.data()), bytes.size());

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Runs each fuzz target for some seconds, beginning with its corpus and what was found before. Inputs that make it fail are left in
-# the folder.
+# Runs each fuzz target for some seconds, starting with its corpus and earlier finds. Failing inputs are left in the folder.
 # Usage: search.sh <folder of the build> <seconds>
 
 set -euo pipefail
@@ -12,7 +11,7 @@ for target in space contacts history recording settings; do
     [[ $target != history ]] || longest=6000
     mkdir -p "$build/found/$target"
     printf -- '-- Fuzzing %s for %s s\n' "$target" "$seconds"
-    # After an abort of ODE a scene stays locked and cannot be freed: no search for leaks.
+    # After an abort of ODE a scene stays locked and cannot be freed, so there is no search for leaks.
     ASAN_OPTIONS=detect_leaks=0 "$build/tests/fuzz/${target}_fuzzer" -max_total_time="$seconds" -max_len="$longest" \
         -timeout=120 -detect_leaks=0 -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/$target-" \
         "$build/found/$target" "$corpus/$target" || {

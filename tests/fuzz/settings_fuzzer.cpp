@@ -1,4 +1,4 @@
-// Any bytes as the environment of a program that is started with the preload: five values, with a zero byte behind each.
+// Any bytes as the environment of a program with the preload: five values, each followed by a zero byte.
 
 #include <array>
 #include <cstdlib>
@@ -31,7 +31,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
             return nullptr;
         },
         complaints);
-    // At most one sentence for each variable that has a list of words; only classes that have a name; files only as given.
+    // There is at most one sentence for each variable with a list of words; classes have names; files are as given.
     bool right = complaints.size() <= 3 && (settings.stats_file.empty() || settings.stats_file == values[2]) &&
                  settings.trace_file == values[4] && settings.record_limit > 0 &&
                  settings.proximity >= dPredictiveProximityBox && settings.proximity <= dPredictiveProximityShape;

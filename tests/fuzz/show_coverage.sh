@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Replays the corpus of the space and what was found since, and shows how many lines of the libraries that reaches.
-# Usage: show_coverage.sh <folder of the build> <folder of what was found>
+# Replays the corpus of the space and later finds, and shows how many lines of the libraries they reach.
+# Usage: show_coverage.sh <folder of the build> <folder of the finds>
 
 set -euo pipefail
 

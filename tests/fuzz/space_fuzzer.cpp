@@ -1,5 +1,4 @@
-// Any bytes are a program, run in a predictive and in a simple space: both must report the same pairs, and the invariant must
-// hold.
+// Any bytes are a program for a predictive and a simple space: both must report the same pairs, and the invariant must hold.
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
     static const bool ready = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
     const FuzzedRun run = run_of_bytes(data, size);
     const std::optional<Failure> failure = ready ? compare(run.history, run.terms) : std::nullopt;
-    // What ODE does not allow in its own space is no program.
+    // A history that ODE's own space does not allow is no program.
     if (failure && failure->kind != FailureKind::abort_in_reference)
     {
         std::fprintf(stderr, "measure %d, operation %zu: %s\n%s", static_cast<int>(run.terms.measure),

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds a program with what pkg-config says, and runs it.
+# Builds a program with the flags of pkg-config, and runs it.
 # Usage: build_with_pkg_config.sh <libdir of the prefix> <package> <program> <compiler> <flags and sources>
 set -eu
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Do the libraries read the environment by secure_getenv() alone, which finds nothing in a set-user-ID program?
+# Do the libraries read the environment only by secure_getenv(), which finds nothing in a set-user-ID program?
 # Usage: check_environment.sh READELF LIBRARY...
 
 set -euo pipefail

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Were the libraries built with what makes a mistake harder to exploit?
+# Were the libraries built with the options that make a mistake harder to exploit?
 # Usage: check_hardening.sh READELF LIBRARY...
 
 set -euo pipefail

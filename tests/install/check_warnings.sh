@@ -1,6 +1,6 @@
 #!/bin/sh
-# Do the headers in the prefix warn in programs that ask for more warnings than the library's own build? In C++17, 20 and 23, and
-# the C header in C89, too. What is wrong in the headers of others is not looked at.
+# Do the headers in the prefix warn in programs with more warnings than the library's own build has? All are compiled in C++17,
+# 20 and 23, and the C header in C89, C99 and C11. Warnings in foreign headers are ignored.
 # Usage: check_warnings.sh <libdir of the prefix> <includedir of the prefix> <C compiler> <C++ compiler>
 set -eu
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Fails when the library exports other names than the headers declare, or one without a version. What it has for the launcher
-# alone is in a version node of its own.
+# Fails if the library exports other names than the headers declare, or one without a version. Exports for the launcher have a
+# separate version node.
 # Usage: compare_exports.sh <library> <header>...
 set -eu
 

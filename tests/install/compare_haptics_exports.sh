@@ -22,7 +22,7 @@ diff <(printf '%s\n' "$declared") <(printf '%s\n' "$listed") || {
     exit 1
 }
 
-# Members of public classes that are classes themselves are private here: only functions and tables are to be seen.
+# Nested classes of public classes are private here: only functions and tables are visible.
 exported=$(nm --dynamic --defined-only --demangle "$library" | sed -nE 's/^[0-9a-f]+ [^A] (.*)@@.*/\1/p' |
     sed -E 's/^(vtable|typeinfo|typeinfo name|VTT|non-virtual thunk to|virtual thunk to) (for )?//' | sort -u)
 abi='(\[abi:cxx11\])?'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Fails when a class of the headers in the prefix has another size or alignment in programs that are compiled for AVX or
-# AVX-512. Asks GCC, which alone can list all classes.
+# Fails if a class of the headers in the prefix has another size or alignment in programs that are compiled for AVX or AVX-512.
+# Only GCC can list all classes.
 # Usage: compare_layouts.sh <libdir of the prefix> <package> <includedir of the prefix> <scratch folder> <compiler> <flags>
 set -eu
 

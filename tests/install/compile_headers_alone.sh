@@ -1,6 +1,6 @@
 #!/bin/sh
-# Compiles each header of a folder of the prefix in a file of its own, with what pkg-config says. Nearly all of the time goes to
-# reading Eigen.
+# Compiles each header of a folder of the prefix alone, with the flags of pkg-config. Nearly all of the time is for reading
+# Eigen.
 # Usage: compile_headers_alone.sh <libdir of the prefix> <package> <includedir of the prefix> <folder in it> <compiler> <flags>
 set -eu
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds and installs the static libraries, then programs that are linked with them by CMake and by pkg-config, and runs these.
-# The shared libraries are installed beside them, as they are for users of both. Optimised across files as in a release, but not
-# otherwise, for the sake of time.
+# Builds and installs the static libraries, then builds programs with them by CMake and by pkg-config, and runs these. The
+# shared libraries are installed beside them, as for users of both. Files are optimised across as in a release, but not
+# otherwise, to save time.
 # Usage: static_libraries.sh SOURCES SCRATCH_FOLDER C_COMPILER CXX_COMPILER
 
 set -euo pipefail
@@ -10,7 +10,7 @@ sources=$1 work=$2 c=$3 cxx=$4
 tests=$sources/tests/install
 prefix=$work/prefix
 
-# Any of the project's libraries that a program is linked with at run time.
+# No program may be linked with the project's libraries at run time.
 check_and_run() {
     local program
     for program in "$@"; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds and installs the project with a static ODE, then programs that use the package as they would use any other, and runs
-# them: the space, the haptics library and ODE are in the programs.
+# Builds and installs the project with a static ODE, then builds programs with the package as with any other, and runs them: the
+# space, the haptics library and ODE are in the programs.
 # Usage: static_ode.sh SOURCES SCRATCH_FOLDER C_COMPILER CXX_COMPILER ODE_ARCHIVE
 
 set -euo pipefail

@@ -18,8 +18,8 @@
 
 namespace
 {
-// The first word of a pointer to a virtual member function tells its place in the table of functions, by the C++ ABI of Linux; on
-// some processors the second word is marked instead of the first.
+// In the C++ ABI of Linux, the first word of a pointer to a virtual member function gives its place in the table of functions;
+// on some processors the mark is in the second word instead of the first.
 template <typename Member> long place_of(Member function)
 {
     static_assert(sizeof function == 2 * sizeof(long), "two words");
@@ -46,16 +46,16 @@ LayoutFacts offsets()
     {#type "::" #member, static_cast<long>(offsetof(type, member))},                                                   \
         {"sizeof(" #type "::" #member ")", static_cast<long>(sizeof(type::member))}
         MEMBER(dxPosR, pos), MEMBER(dxPosR, R),
-        // of every geom
+        // every geom
         MEMBER(dxGeom, type), MEMBER(dxGeom, gflags), MEMBER(dxGeom, data), MEMBER(dxGeom, body),
         MEMBER(dxGeom, body_next), MEMBER(dxGeom, final_posr), MEMBER(dxGeom, offset_posr), MEMBER(dxGeom, next),
         MEMBER(dxGeom, tome), MEMBER(dxGeom, next_ex), MEMBER(dxGeom, tome_ex), MEMBER(dxGeom, parent_space),
         MEMBER(dxGeom, aabb), MEMBER(dxGeom, category_bits), MEMBER(dxGeom, collide_bits),
-        // of spaces
+        // spaces
         MEMBER(dxSpace, count), MEMBER(dxSpace, first), MEMBER(dxSpace, cleanup), MEMBER(dxSpace, sublevel),
         MEMBER(dxSpace, tls_kind), MEMBER(dxSpace, current_index), MEMBER(dxSpace, current_geom),
         MEMBER(dxSpace, lock_count),
-        // of shapes
+        // shapes
         MEMBER(dxSphere, radius), MEMBER(dxBox, side), MEMBER(dxCapsule, radius), MEMBER(dxCapsule, lz),
         MEMBER(dxCylinder, radius), MEMBER(dxCylinder, lz), MEMBER(dxPlane, p), MEMBER(dxRay, length),
         MEMBER(dxConvex, planes), MEMBER(dxConvex, points), MEMBER(dxConvex, polygons), MEMBER(dxConvex, planecount),

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-/// What a compiler makes of the declarations of ODE's classes: offsets, sizes, places of virtual functions, numbers.
+/// Layout of ODE's classes by their declarations: offsets, sizes, places of virtual functions, numbers.
 using LayoutFacts = std::map<std::string, long>;
 
 LayoutFacts facts_of_odes_headers();

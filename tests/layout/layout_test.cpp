@@ -1,4 +1,4 @@
-// Our declarations of ODE's internal classes beside those in ODE's source.
+// Compares our declarations of ODE's internal classes with those in ODE's source.
 
 #include <gtest/gtest.h>
 

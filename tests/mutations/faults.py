@@ -675,7 +675,7 @@ def space_faults():
         "cleaned_without_the_spaces_inside", "space", space,
         "for (dxGeom *geom = first; geom; geom = geom->next)\n        valid_aabb(geom);",
         "for (dxGeom *geom = first; geom; geom = geom->next)\n        compute_box_beside_others(geom);", nests)
-    # Few geoms.
+    # Spaces of few geoms.
     yield Fault(
         "few_geoms_stay_dirty", "space", space, "compute_box_beside_others(geom);\n        listen_to(geom);",
         "compute_box_beside_others(geom);", contract("*"))
@@ -692,7 +692,7 @@ def space_faults():
         "lines_unknown_after_another_test", "space", space,
         "    if (predicts_ && !by_box())\n        for (dxGeom *geom = first; geom; geom = geom->next)\n"
         "            note_changed_line(geom);\n", "", (("shape_contract", "ShapeQuery.*"),))
-    # What throws in the middle.
+    # Exceptions in the middle of an update.
     faults = lambda pattern: (("faults", pattern),)
     yield Fault(
         "trusts_a_tick_that_was_broken_off", "space", BROADPHASE + "broadphase.cpp", "if (interrupted_ || clock_.update % half_of_all == 0)", "if (clock_.update % half_of_all == 0)",
@@ -711,7 +711,7 @@ def space_faults():
         (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
-    # By the sphere test of proximity.
+    # The sphere test of proximity.
     yield Fault(
         "skewed_geoms_judged_by_spheres", "space", scene,
         "return skew <= most_skew ? radius_ * (1 + skew) + rounding_at(bounds_)", "return skew < 1e300 ? radius_ + rounding_at(bounds_)", CONTACT_HISTORIES)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Do the tests notice a mistake in the code? Plants the deliberate faults of faults.py one by one in a copy of the tree,
-builds what its tests need, runs them until the first one fails, and prints a Markdown table: fault, stage, the test that
+builds the tests for each, runs them until the first one fails, and prints a Markdown table: fault, stage, the test that
 noticed it.
 
-A hash of results that is known to be right does not count: such tests (GOLDEN) are left out.
+Tests that compare with a known hash of results (GOLDEN) are left out: they fail at any change.
 
 Exit status: 0 when each fault was noticed, or is said to be equivalent and was not; else 1.
 """
@@ -21,7 +21,7 @@ import time
 import faults as table
 
 TOP = pathlib.Path(__file__).resolve().parent.parent.parent
-SUITES = {  # where the programs are; quick ones first
+SUITES = {  # paths of the programs; quick ones first
     "prediction": "tests/prediction/prediction_test",
     "broadphase": "tests/broadphase/broadphase_tests",
     "shapes": "tests/shape/shape_tests",
@@ -48,7 +48,7 @@ class Failure(Exception):
 @dataclasses.dataclass
 class Result:
     fault: table.Fault
-    test: str  # that noticed; empty when none did
+    test: str  # the test that noticed; empty if none did
     seconds: float
 
     @property
@@ -69,7 +69,7 @@ def planted(text, fault):
 
 
 def first_failure(output):
-    """The name of the test in which a GoogleTest program failed or ended, from what it wrote."""
+    """The name of the test in which a GoogleTest program failed or ended, from its output."""
     failed = re.search(r"^\[  FAILED  \] ([\w./]+)", output, re.MULTILINE)
     if failed:
         return failed.group(1)
@@ -78,7 +78,7 @@ def first_failure(output):
 
 
 def files_in(top):
-    """Those of a tree, without what was built."""
+    """The files of a tree, without built ones."""
     names = (path.relative_to(top) for path in top.rglob("*") if path.is_file())
     return {name for name in names if name.parts[0] not in ("build", ".git")}
 
@@ -92,7 +92,7 @@ class Tree:
         self.options = options
 
     def update(self):
-        """Brings it up to date. A file that is the same keeps its time, so that it is not compiled again."""
+        """Brings the copy up to date. An unchanged file keeps its time, so that it is not compiled again."""
         present = files_in(TOP)
         for name in files_in(self.root) - present:
             (self.root / name).unlink()
@@ -104,7 +104,7 @@ class Tree:
             shutil.copy(source, copy)
 
     def configure(self):
-        """Optimised a little: that compiles twice as fast."""
+        """Little optimisation makes compiling twice as fast."""
         self.call(["cmake", "-S", ".", "-B", str(self.build_folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
                    "-DCMAKE_C_FLAGS_RELWITHDEBINFO=-O1", "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1"] + self.options)
 

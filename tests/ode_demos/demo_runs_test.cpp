@@ -16,11 +16,11 @@ struct DemoCase
     const char *name;
     int steps;
     const char *options;
-    bool same_run; ///< whether a run is the same in every space: no random numbers, and few enough contacts
+    bool same_run; ///< a run is the same in every space: it has no random numbers, and few enough contacts
 };
 
-// boxstack, crash, heightfield, moving_trimesh and space_stress step with dWorldQuickStep(), which draws random numbers, some of
-// them in several threads: there even two runs in one space differ.
+// boxstack, crash, heightfield, moving_trimesh and space_stress step with dWorldQuickStep(), which draws random numbers, some
+// of them in several threads, so that even two runs in one space differ.
 constexpr DemoCase cases[] = {
     {"boxstack", 400, "-keys bscyvxbscyvxbscyvx", false},
     {"buggy", 400, "-keys aaa", true},
@@ -93,7 +93,7 @@ void expect_similar(const Report &one, const Report &other, const char *name, do
     EXPECT_LT(other.number(name), factor * one.number(name)) << name << '\n' << one.output() << other.output();
 }
 
-/// What came of a demo in two spaces, which tell of the same pairs in different orders.
+/// Compares the outcomes of a demo in two spaces, which report the same pairs in different orders.
 void expect_the_same_kind_of_outcome(const DemoCase &demo, const Report &one, const Report &other)
 {
     for (const char *name : {"steps", "bodies", "geoms"})
@@ -109,14 +109,13 @@ void expect_the_same_kind_of_outcome(const DemoCase &demo, const Report &one, co
     }
     else
     {
-        // Two runs in one space have been seen to differ by half. Besides, the hash space overlooks some pairs: see
-        // docs/log/ode.md.
+        // Two runs in one space may differ by half. Besides, the hash space misses some pairs: see docs/log/ode.md.
         expect_similar(one, other, "pairs", 2.5);
         expect_similar(one, other, "contacts", 2.5);
     }
     for (const Report &report : {one, other})
     {
-        // Nothing has fallen through the ground, or been shot away.
+        // Nothing has fallen through the ground or been shot away.
         EXPECT_GT(report.number("lowest"), -0.5) << report.output();
         EXPECT_LT(report.number("mean height"), 5) << report.output();
     }
@@ -139,7 +138,7 @@ TEST_P(OdeDemos, EndAlikeInThePredictiveAndTheHashSpace)
 
 TEST_P(OdeDemos, EndAlikeWithAHandInThem)
 {
-    // Not the hash space: it omits some pairs with the probe in chain1.
+    // The hash space would omit some pairs with the probe in chain1.
     const Report predictive = run_demo(GetParam(), "predictive", "-probe hand-path");
     const Report simple = run_demo(GetParam(), "simple", "-probe hand-path");
 
@@ -158,7 +157,7 @@ TEST_P(OdeDemos, EndAlikeWithAHandInThem)
 
 TEST_P(OdeDemos, BeginWithThePairsOfTheSimpleSpace)
 {
-    // Nothing has drawn a random number yet. In demos that begin empty, one thing is there.
+    // No random number has been drawn yet. Demos that begin empty get one object.
     expect_the_same_number(run_demo(GetParam(), "predictive", "", 1), run_demo(GetParam(), "simple", "", 1), "pairs");
 }
 
@@ -170,7 +169,7 @@ TEST(OdeDemosWithTheHand, PushWhatIsThere)
     const DemoCase &chain = cases[2];
     EXPECT_NE(run_demo(chain, "predictive", "-probe hand-path").text("mean height"),
               run_demo(chain, "predictive").text("mean height"));
-    // Its geoms are in a space of their own.
+    // The geoms of the buggy are in a nested space.
     const DemoCase parked_buggy{"buggy", 600, "", true};
     EXPECT_NE(run_demo(parked_buggy, "predictive", "-probe hand-path").text("mean height"),
               run_demo(parked_buggy, "predictive").text("mean height"));

@@ -35,8 +35,8 @@ protected:
         self.taken_ += self.hand_->touch(first, second) ? 1 : 0;
     }
 
-    /// Half a second in which a ball is always right below the probe, a little in it. Before that the hand is free, as the
-    /// safety stage wants it.
+    /// For half a second a ball is right below the probe, slightly inside it. Before that the hand is free, as the safety stage
+    /// requires.
     void follow_with(dBodyID ball, dReal radius)
     {
         hand_->step(place_);
@@ -63,7 +63,7 @@ protected:
     Place place_;
     std::unique_ptr<Hand> hand_;
     dGeomID probe_;
-    int taken_ = 0; ///< pairs that the hand has dealt with
+    int taken_ = 0; ///< pairs that the hand has handled
 };
 
 TEST_F(HandTest, PushesABody)

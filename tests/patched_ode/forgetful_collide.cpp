@@ -1,5 +1,5 @@
-// A dSpaceCollide that keeps every tenth pair to itself: what a demo says of a space that makes mistakes. Linked with
-// --wrap=dSpaceCollide, so that the demo calls this one.
+// A dSpaceCollide that drops every tenth pair, to see that a demo notices a faulty space. It is linked with
+// --wrap=dSpaceCollide, so that the demo calls it.
 
 #include <ode/ode.h>
 

@@ -1,6 +1,6 @@
-// drawstuff without a window, for those of ODE's demos that check something and draw it: they are run for some steps, each with
-// a scene of its own, for which these demos want the space bar. With COUNT_BOXES in the environment, the number of boxes that
-// were drawn in each step is printed: demo_collision draws one for each contact.
+// drawstuff without a window, for ODE's demos that check something and draw it: they run for some steps, each with a new scene,
+// as if the space bar were pressed. With COUNT_BOXES in the environment, the number of boxes drawn in each step is printed:
+// demo_collision draws one for each contact.
 
 #include <cstdio>
 #include <cstdlib>

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "docs" / "drawings"
-TOLERANCE = 1.0  # points: another version of matplotlib may place a label a little elsewhere
+TOLERANCE = 1.0  # points, as versions of matplotlib place labels slightly differently
 
 
 def draw(folder):

@@ -1,4 +1,4 @@
-"""The pictures of docs/plots: drawn from what the benchmarks write, the same files giving the same bytes."""
+"""The pictures of docs/plots, drawn from the output of the benchmarks: the same files give the same bytes."""
 
 import json
 import pathlib

@@ -46,7 +46,7 @@ TEST(Envelope, swept_holds_the_envelope_at_every_time)
     for (int i = 0; i < 10000 * pair_kinds; ++i)
     {
         EnvelopePair pair = random.make(static_cast<PairKind>(i % pair_kinds));
-        if (i % 3 == 0) // nothing that would hide a rounding error
+        if (i % 3 == 0) // a deviation could hide a rounding error
             pair.second.deviation = {};
         const Box swept = pair.second.swept(pair.duration);
         for (int k = 0; k <= 8; ++k)

@@ -43,7 +43,7 @@ Real bisect(const Polynomial &polynomial, Real left, Real right)
     }
 }
 
-// 0, all places where the polynomial may turn, 1.
+// The ends are 0, all places where the polynomial may turn, and 1.
 std::vector<Real> monotone_pieces(const Polynomial &polynomial)
 {
     std::vector<Real> ends = {0};
@@ -140,7 +140,7 @@ std::array<Polynomial, 6> box_gaps(const Envelope &first, const Envelope &second
 
 std::optional<Real> first_box_contact(const Envelope &first, const Envelope &second, double duration)
 {
-    // The answer is 0 or a place where one of the gaps closes. At that place the gap itself counts as closed.
+    // The answer is 0 or a place where one of the gaps closes. There, the gap itself counts as closed.
     const std::array<Polynomial, 6> gaps = box_gaps(first, second, duration);
     const auto all_closed = [&gaps](Real m, const Polynomial *closing) {
         return std::all_of(gaps.begin(), gaps.end(),

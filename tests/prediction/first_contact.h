@@ -1,4 +1,4 @@
-// The true first time at which two envelopes touch, found without chords: what the prediction is compared with.
+// The true first time at which two envelopes touch, found without chords: the reference for the prediction.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_PREDICTION_FIRST_CONTACT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_PREDICTION_FIRST_CONTACT_H
@@ -34,13 +34,11 @@ std::optional<Real> first_not_positive(const Polynomial &polynomial);
 /// |s1 - s2|^2 - (R1 + R2 + r1 + r2 + extra_reach)^2 as a polynomial of m = t / duration (equation 1, squared).
 Polynomial sphere_polynomial(const Envelope &first, const Envelope &second, double duration, double extra_reach = 0);
 
-/// First m in [0, 1] at which the grown spheres touch.
 std::optional<Real> first_sphere_contact(const Envelope &first, const Envelope &second, double duration);
 
 /// The gaps between the grown boxes, as polynomials of m: below and above on each axis. They overlap when none is positive.
 std::array<Polynomial, 6> box_gaps(const Envelope &first, const Envelope &second, double duration);
 
-/// First m in [0, 1] at which the grown boxes touch.
 std::optional<Real> first_box_contact(const Envelope &first, const Envelope &second, double duration);
 } // namespace ode_predictive_space
 

@@ -8,7 +8,7 @@ namespace
 {
 const Path known = {Vector3(1, -2, 3), Vector3(0.5, 0.25, -0.125), Vector3(-0.02, 0.01, 0.04)};
 
-// Remembers `known` from tick `from` on; its time 0 is at tick `origin`.
+// A history of `known` from tick `from` on; time 0 of the path is at tick `origin`.
 History remembered(std::uint32_t from, int count, std::uint32_t origin)
 {
     History history;
@@ -27,7 +27,7 @@ void expect_same(const Path &path, const Path &expected)
 
 TEST(History, remembers_the_last_samples_only)
 {
-    // What is older than its capacity lies elsewhere, and must have no part in the fit.
+    // Samples beyond the capacity are elsewhere, and must not enter the fit.
     History history;
     for (std::uint32_t tick = 0; tick < 5; ++tick)
         history.add(tick, Vector3(1000, 1000, 1000));

@@ -9,7 +9,7 @@ using namespace ode_predictive_space;
 
 namespace
 {
-// Its time 0 is that of the newest sample.
+// Time 0 is that of the newest sample.
 const Path known_path = {Vector3(1, -2, 3), Vector3(0.5, 0.25, -0.125), Vector3(-0.02, 0.01, 0.04)};
 
 std::vector<Sample> samples_of(const Path &path, const std::vector<double> &ages, double newest_time = 0)
@@ -55,7 +55,7 @@ TEST(LeastSquares, far_from_the_origin)
 
 TEST(LeastSquares, residual_is_the_root_mean_square_distance)
 {
-    // Alternating by 1 to either side: four samples' best parabola leaves a cubic of (-1, 3, -3, 1) / 20 times 8.
+    // The samples alternate by 1: the best parabola of four leaves a cubic of (-1, 3, -3, 1) / 20 times 8.
     const FittedPath fitted =
         fit({{0, Vector3(-1, 0, 0)}, {1, Vector3(1, 0, 0)}, {2, Vector3(-1, 0, 0)}, {3, Vector3(1, 0, 0)}});
     const double remainder = 8.0 / 20;

@@ -1,4 +1,4 @@
-// The prediction against the true first contact, over more than a million random pairs for each measure of proximity.
+// The prediction against the true first contact, for more than a million random pairs and each measure of proximity.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace
 constexpr int pairs_of_a_kind = of_cases(75000);
 static_assert(pairs_of_a_kind * pair_kinds >= of_cases(1000000), "a million pairs for each measure");
 
-// How far before the true contact the prediction was, in horizons.
+// The time from the prediction to the true contact, in horizons.
 class Earliness
 {
 public:
@@ -57,7 +57,7 @@ private:
     int false_alarms_ = 0;
 };
 
-// The chord's part in being early, as a distance: a prediction needs no earlier time than this allows.
+// The distance by which the chord makes predictions early: a correct one need not be earlier.
 double sphere_slack(const EnvelopePair &pair)
 {
     const double T = pair.duration;
@@ -80,7 +80,7 @@ double size(const EnvelopePair &pair)
            (pair.first.deviation + pair.second.deviation).at(pair.duration);
 }
 
-// No pair is said to be near while the spheres are further apart than the chords' errors explain.
+// The spheres must not be farther apart than the chords' errors explain.
 void expect_not_needlessly_early_by_spheres(const EnvelopePair &pair, double predicted)
 {
     const double reach = size(pair);
@@ -95,7 +95,7 @@ void expect_not_needlessly_early_by_boxes(const EnvelopePair &pair, double predi
         EXPECT_LE(gaps[side].at(predicted / pair.duration), box_slack(pair, side / 2) + 1e-12 * size(pair));
 }
 
-// The envelopes' boxes as computed, which is what the broad phase verifies geoms against.
+// The broad phase verifies geoms against the envelopes' boxes as computed, so these are compared.
 void expect_computed_boxes_apart(const EnvelopePair &pair, double elapsed, std::optional<double> predicted)
 {
     const double apart_until = predicted ? std::nextafter(*predicted, -1.0) : pair.duration;
@@ -198,7 +198,7 @@ TEST(NeverLate, time_in_halves)
 
 TEST(NeverLate, when_there_is_no_chord_error_the_prediction_is_exact)
 {
-    // A straight relative path and a deviation that does not bend: the quartic is the paper's quadratic.
+    // With a straight relative path and a deviation that does not bend, the quartic is the paper's quadratic.
     for_all_kinds(3000, 2000, [](EnvelopePair pair, RandomPairs &) {
         pair.second.path.acceleration = pair.first.path.acceleration;
         pair.first.deviation.c = pair.second.deviation.c = 0;
@@ -206,7 +206,7 @@ TEST(NeverLate, when_there_is_no_chord_error_the_prediction_is_exact)
         const auto contact = first_sphere_contact(pair.first, pair.second, pair.duration);
         if (contact && *contact > 0)
         {
-            // Rounding may make it earlier where the polynomial is flat: where they graze or hardly approach each other.
+            // Rounding may make it earlier where the polynomial is flat: the spheres graze or hardly approach each other.
             Polynomial P = sphere_polynomial(pair.first, pair.second, pair.duration);
             P.coefficient[0] -= 1e-13 * size(pair) * size(pair);
             EXPECT_LE(static_cast<double>(*first_not_positive(P)), *predicted / pair.duration + 1e-12);

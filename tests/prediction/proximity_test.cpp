@@ -27,7 +27,7 @@ Path resting_at(const Vector3 &position)
     return {position, Vector3::Zero(), Vector3::Zero()};
 }
 
-// The error e as equation 4 of the paper has it: how far a path is from the line through its ends.
+// The error e of the paper's equation 4: the distance of a path from the line through its ends.
 double perpendicular_chord_error(const Path &path, double duration)
 {
     const Vector3 chord = path.at(duration) - path.position;
@@ -45,7 +45,7 @@ std::optional<double> time_of_proximity_by_equation_4(const Envelope &first, con
     return *m * duration;
 }
 
-// All members through which something that is not a number can come in.
+// All members that can be NaN.
 std::vector<double *> numbers_of(Envelope &envelope)
 {
     std::vector<double *> numbers = {&envelope.deviation.a, &envelope.deviation.b, &envelope.deviation.c};
@@ -72,7 +72,7 @@ TEST(FirstRoot, every_sign_of_the_coefficients)
         for (const double B : values)
             for (const double C : {0.25, 1.0, 3.0})
             {
-                // The signs of P on a fine grid say whether there is a root, and P is zero at it.
+                // The signs of P on a fine grid show whether a root exists, and P is zero at it.
                 const ProximityPolynomial P = {A, B, C};
                 const std::optional<double> root = first_root(A, B, C);
                 const double end = root ? *root * (1 - 1e-9) : 1000;
@@ -100,11 +100,11 @@ TEST(FirstRoot, double_root)
 
 TEST(FirstRoot, does_not_cancel)
 {
-    // The textbook's form would subtract numbers that differ in their last digits only.
+    // The textbook's form would subtract numbers that differ only in their last digits.
     EXPECT_NEAR(*first_root(1e-9, -1, 1), 0.5, 1e-9);
     EXPECT_NEAR(*first_root(1, -1e9, 1), 0.5e-9, 1e-23);
     EXPECT_NEAR(*first_root(-1, -1e9, 1), 0.5e-9, 1e-23);
-    // With A < 0 < B it is C / (sqrt(D) - B) that would do so; it would even find no root.
+    // For A < 0 < B, C / (sqrt(D) - B) would do so; it would even find no root.
     EXPECT_DOUBLE_EQ(*first_root(-3, 1, 1e-18), 2.0 / 3);
 }
 
@@ -142,7 +142,7 @@ TEST(TimeOfProximity, deviations_count)
 TEST(TimeOfProximity, box_is_the_latest_of_the_three_entries)
 {
     const Envelope still = ball(resting_at(Vector3::Zero()), 1);
-    // Enters the slabs of x, y, z at 2, 5 and 3, and leaves that of x at 6.
+    // The box enters the slabs of x, y, z at 2, 5 and 3, and leaves that of x at 6.
     const Envelope moving = ball({Vector3(4, 7, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
     EXPECT_NEAR(box_time_of_proximity(still, moving, 10).value_or(-1), 5, 1e-12);
     const Envelope passing = ball({Vector3(4, 7.9, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
@@ -164,7 +164,7 @@ TEST(TimeOfProximity, no_duration)
 
 TEST(TimeOfProximity, infinite_bounds)
 {
-    // A floor: the half space z <= 0. It has no sphere.
+    // A floor, the half space z <= 0, has no sphere.
     Envelope floor = ball(resting_at(Vector3::Zero()), unbounded);
     floor.high.z() = 0;
     const Envelope falling = ball({Vector3(1e6, 0, 5), Vector3(0, 0, -1), Vector3::Zero()}, 1);
@@ -202,7 +202,7 @@ TEST(TimeOfProximity, nothing_is_apart_that_is_not_a_number)
     EXPECT_EQ(sphere_time_of_proximity(first, broken, 10), 0.0);
 }
 
-// Boxes that are apart on one side alone. What is not a number on that side, or in the deviation, may be anything.
+// The boxes are apart on one side only. A NaN on that side, or in the deviation, may stand for anything.
 TEST(TimeOfProximity, no_side_of_a_box_is_apart_that_is_not_a_number)
 {
     const Envelope first = ball(resting_at(Vector3::Zero()), 1);
@@ -241,8 +241,8 @@ TEST(TimeOfProximity, infinite_and_huge_positions_are_not_apart_by_mistake)
 
 TEST(ChordError, braking_and_turning_back_is_missed_by_equation_4)
 {
-    // s(t) = t - t^2 / 100 runs ahead to 25 at t = 50 and is back at 16 after 80 ticks. All along its own line: equation 4
-    // finds no error at all, and the chord never comes nearer than 16 to the ball that is hit at s = 20.
+    // s(t) = t - t^2 / 100 reaches 25 at t = 50 and is back at 16 after 80 ticks. The motion is along one line, so equation 4
+    // finds no error, and the chord ends at 16, before the ball that is hit at s = 20.
     const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
     const Envelope still = ball(resting_at(Vector3(22, 0, 0)), 1);
     const double duration = 80;
@@ -261,7 +261,7 @@ TEST(ChordError, braking_and_turning_back_is_missed_by_equation_4)
 
 TEST(ChordError, braking_is_late_by_equation_4)
 {
-    // It meets the other ball within the chord as well, but sooner than the chord says.
+    // The other ball is met on the chord as well, but later than on the path.
     const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
     const Envelope still = ball(resting_at(Vector3(17, 0, 0)), 1);
     const double duration = 50;

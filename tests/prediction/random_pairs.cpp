@@ -24,7 +24,7 @@ const char *name(PairKind kind)
     return names[static_cast<int>(kind)];
 }
 
-// The relative motion at a time within (or a little outside) the horizon: what the paths are made from.
+// The relative motion at a time in the horizon or a little outside; the paths are made from it.
 struct RandomPairs::Encounter
 {
     double time;
@@ -43,7 +43,7 @@ double RandomPairs::log_uniform(double low, double high)
     return std::exp(uniform(std::log(low), std::log(high)));
 }
 
-// 1 + or - something from a tenth down to an epsilon.
+// 1 plus or minus a number between an epsilon and a tenth.
 double RandomPairs::nearly_one()
 {
     return 1 + sign() * log_uniform(1e-16, 0.1);
@@ -76,7 +76,7 @@ Envelope RandomPairs::envelope(double radius)
     return result;
 }
 
-// One axis' slab is left and another's entered at the same moment, or nearly so.
+// The slab of one axis is left, and that of another is entered, at the same moment or nearly so.
 void RandomPairs::draw_corner(const EnvelopePair &pair, Encounter &encounter)
 {
     const int leaving = static_cast<int>(uniform(0, 3));
@@ -138,7 +138,7 @@ void RandomPairs::draw_encounter(PairKind kind, const EnvelopePair &pair, Encoun
         encounter.acceleration *= log_uniform(1, 1e3);
         break;
     case PairKind::growing_as_moving:
-        // Along an axis, with numbers that are exact in binary, so that A is zero and not only nearly so.
+        // The motion is along an axis, with numbers that are exact in binary, so that A is exactly zero.
         encounter.time = 0;
         encounter.offset = reach * uniform(1, 3) * direction();
         encounter.velocity = Vector3(sign() * deviation.b, 0, 0);

@@ -31,7 +31,6 @@ constexpr int pair_kinds = 14;
 
 const char *name(PairKind kind);
 
-/// Two envelopes and the horizon over which they are predicted.
 struct EnvelopePair
 {
     Envelope first;

@@ -10,7 +10,6 @@ namespace
 {
 const Vector3 velocity(3, -1, 2);
 
-// Displacements as a body has them that moves at `velocity`.
 void add_steps(StepEstimate &estimate, double step, int count)
 {
     for (int i = 1; i <= count; ++i)

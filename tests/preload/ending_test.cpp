@@ -1,4 +1,4 @@
-// What remains of a program, however it ends, and that its end is passed on.
+// The output of a program that ends in any way, and the status that is passed on.
 
 #include <csignal>
 #include <utility>
@@ -13,14 +13,13 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// The status that its parent sees, as from waitpid().
 int raw_status(const std::string &command)
 {
     allow_preload();
     return std::system(("ulimit -c 0; exec " + command + " >/dev/null 2>&1").c_str());
 }
 
-/// A program under the launcher that waits for signals. A test that does not end is ended.
+/// A program under the launcher that waits for signals. An alarm ends a test that hangs.
 class Waiting
 {
 public:
@@ -57,7 +56,7 @@ public:
     pid_t launcher() const { return launcher_; }
     pid_t program() const { return program_; }
 
-    /// What the program says next; empty when it has ended. A terminal shows ^C and ends lines in its own way.
+    /// The next line of the program; empty when it has ended. A terminal shows ^C and uses other line ends.
     std::string line()
     {
         std::string text;
@@ -131,7 +130,7 @@ TEST_P(EndOfAProgram, LeavesAPageWithPlots)
     EXPECT_TRUE(contains(page.str(), "<title>ode-predictive run " + program + "</title>")) << page.str();
 }
 
-// Of a child that had its parent's memory, exit() told what the parent had counted.
+// Once, exit() in a child, which has its parent's memory, reported the parent's counts.
 TEST(EndOfAChild, IsToldOfItsOwnCollidesAlone)
 {
     const ScratchFile statistics;
@@ -154,7 +153,7 @@ TEST(LauncherThatWaits, PassesASignalOn)
     EXPECT_EQ(WEXITSTATUS(status), 1);
 }
 
-// The terminal sends it to both. The launcher is stopped meanwhile: two signals at the same time would count as one.
+// The terminal sends the signal to both. The launcher is stopped meanwhile, as two signals at the same time would count as one.
 TEST(LauncherThatWaits, LeavesControlCToTheProgram)
 {
     const ScratchFolder report;
@@ -167,10 +166,10 @@ TEST(LauncherThatWaits, LeavesControlCToTheProgram)
     waiting.signal(SIGTERM);
     const int status = waiting.wait();
     ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 1); // counted once
+    EXPECT_EQ(WEXITSTATUS(status), 1); // one signal was counted
 }
 
-// What a program says whose parent ignored the end of its children, which is handed on.
+// The output of a program whose parent ignored SIGCHLD, which is inherited.
 std::string output_after_ignoring_children(std::vector<const char *> command)
 {
     allow_preload();
@@ -218,7 +217,7 @@ TEST(LauncherThatWaits, LeavesTheSignalsOfItsParentToTheProgram)
     EXPECT_EQ(said.substr(0, native.size()), native) << said;
 }
 
-// After the program's end, a signal that is ignored, as by nohup, ended the launcher while it wrote the report.
+// Once, an ignored signal, as by nohup, ended the launcher while it wrote the report after the program's end.
 TEST(LauncherThatWaits, StillIgnoresAfterwardsWhatItsParentIgnored)
 {
     allow_preload();
@@ -237,7 +236,7 @@ TEST(Statistics, NameTheMeasureThatAProgramChose)
     EXPECT_TRUE(contains(outcome.output, "hash, predictive by spheres; at most 2 geoms, 0 pairs")) << outcome.output;
 }
 
-// The check of ODE in the plugin had the preload loaded, which had ODE checked by the plugin, and the program ended.
+// Once, the plugin's check of ODE loaded the preload, which made the plugin check ODE, and the program ended.
 TEST(Statistics, CountASpaceThatTheProgramItselfMakesPredictive)
 {
     const Outcome outcome = launch("--stats " MEASURING " own");

@@ -32,7 +32,7 @@ TEST(Launcher, RefusesWrongOptions)
     }
 }
 
-// The message named an index.html inside the file.
+// Once, the message named an index.html inside the file.
 TEST(Launcher, RefusesAFileAsTheFolderOfAReport)
 {
     const ScratchFile file;
@@ -41,7 +41,7 @@ TEST(Launcher, RefusesAFileAsTheFolderOfAReport)
     EXPECT_EQ(outcome.output, "ode-predictive: " + file.path() + " is not a folder\n");
 }
 
-// It was written without a word.
+// Once, the report was written without a message.
 TEST(Launcher, SaysWhereTheReportIs)
 {
     const ScratchFolder folder;
@@ -52,7 +52,7 @@ TEST(Launcher, SaysWhereTheReportIs)
     EXPECT_TRUE(std::ifstream(folder.path() + "/recording.odehist")) << "what it rests on";
 }
 
-// The page alone said so.
+// Once, this was only on the page.
 TEST(Launcher, SaysThatAReportHasNothingToReportOn)
 {
     const ScratchFolder folder;
@@ -87,7 +87,7 @@ TEST(Launcher, SetsTheVariables)
     EXPECT_TRUE(contains(outcome.output, "ODE_PREDICTIVE_TRACE=/")) << outcome.output;
 }
 
-// Ours came first, in front of libraries that have to.
+// Once, our library came before libraries that must be first.
 TEST(Launcher, LeavesOtherPreloadsInFront)
 {
     allow_preload();
@@ -110,7 +110,7 @@ TEST(Launcher, PrintsNamesWithoutControlCharacters)
     unlink(name.c_str());
 }
 
-// Set without the launcher, variables may hold anything.
+// Without the launcher, variables may hold anything.
 TEST(Variables, UnknownValuesAreNamedAndDefaultsTaken)
 {
     const Outcome outcome =

@@ -1,4 +1,4 @@
-// Output that cannot be written is never lost without a message, and the program goes on.
+// Output that cannot be written is never lost without a message, and the program continues.
 
 #include "tests/preload/preload_programs.h"
 
@@ -10,7 +10,7 @@ constexpr const char *full = "/dev/full cannot be written: No space left on devi
 constexpr const char *too_large = " cannot be written: File too large\n";
 constexpr const char *preloaded = "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD " ";
 
-/// A file without contents that ends a few bytes before the limit for sizes of files.
+/// A sparse file that ends a few bytes before the limit for sizes of files.
 class FileAtItsLimit
 {
 public:
@@ -18,7 +18,6 @@ public:
 
     const std::string &path() const { return file_.path(); }
 
-    /// A command of which all programs have that limit.
     static std::string limited(const std::string &command)
     {
         return "-c 'ulimit -f " + std::to_string(limit / 512) + "; exec " + command + "'";
@@ -29,7 +28,7 @@ private:
     ScratchFile file_;
 };
 
-// Both ended without a word.
+// Once, there was no message.
 TEST(LostOutput, OfStatisticsGoesToStandardError)
 {
     const Outcome outcome = launch("--stats=/dev/full " ENDING " return");
@@ -45,7 +44,7 @@ TEST(LostOutput, OfATraceIsSaidOnce)
     EXPECT_EQ(outcome.output, std::string("ode_predictive_space: ") + full);
 }
 
-// SIGXFSZ ended the program.
+// Once, SIGXFSZ ended the program.
 TEST(LostOutput, AtTheLimitForSizesOfFilesDoesNotEndTheProgram)
 {
     allow_preload();
@@ -59,7 +58,7 @@ TEST(LostOutput, AtTheLimitForSizesOfFilesDoesNotEndTheProgram)
     }
 }
 
-// It said so, and returned 0.
+// Once, there was a message, but the status was 0.
 TEST(LostOutput, OfAReportHasStatus2)
 {
     const std::string folder = testing::TempDir() + "lost_report";
@@ -82,7 +81,7 @@ TEST(LostOutput, WithoutALauncherIsSaidAndChangesNothing)
     EXPECT_EQ(count_of("dSpaceCollide 3 calls", outcome.output), 1) << outcome.output;
 }
 
-// SIGPIPE ended it while it was ending.
+// Once, SIGPIPE ended the program during its exit.
 TEST(LostOutput, InAPipeWithoutReaderDoesNotEndTheProgram)
 {
     const Outcome outcome = run("bash", "-c 'exec 3> >(true); wait $!; env " + std::string(preloaded) +

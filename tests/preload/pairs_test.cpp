@@ -56,7 +56,7 @@ TEST_F(TracedPairs, HashChangesWithPairsAndPlaces)
     EXPECT_NE(put_in_order(pairs), hash);
 }
 
-// ODE's rule: the one with the higher sublevel, or else with more geoms, looks at the geoms of the other.
+// ODE's rule: the space with the higher sublevel, or else with more geoms, is queried for the geoms of the other.
 TEST_F(TracedPairs, ASpaceIsAskedForThem)
 {
     const dSpaceID smaller = dSimpleSpaceCreate(nullptr);

@@ -1,5 +1,3 @@
-// How these tests run programs, with and without the preload.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_PRELOAD_PRELOAD_PROGRAMS_H
 
@@ -17,7 +15,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// AddressSanitizer wants its library to be the first in a process; ours, which comes before it, does no harm.
+/// AddressSanitizer requires its library to be the first in a process; ours comes before it and does no harm.
 inline void allow_preload()
 {
     setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
@@ -29,7 +27,6 @@ inline Outcome launch(const std::string &arguments)
     return run(LAUNCHER, arguments);
 }
 
-/// A file that is empty at first and gone afterwards.
 class ScratchFile
 {
 public:
@@ -56,7 +53,6 @@ private:
     std::string path_;
 };
 
-/// A folder that is gone afterwards, with all that is in it.
 class ScratchFolder
 {
 public:

@@ -1,4 +1,4 @@
-// Whole programs: what they do is the same, and what stands in their spaces' place is said.
+// Whole programs: their behaviour does not change, and the replaced spaces are reported.
 
 #include "tests/preload/preload_programs.h"
 
@@ -6,7 +6,6 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// What a program prints when left alone.
 std::string native_output(const std::string &program, const std::string &arguments = "")
 {
     const Outcome outcome = run(program, arguments);
@@ -15,7 +14,7 @@ std::string native_output(const std::string &program, const std::string &argumen
     return outcome.output;
 }
 
-// What was written to the statistics while the program printed what it prints when left alone.
+// The statistics of a program, whose output must be the same as without the preload.
 std::string statistics_of(const std::string &options, const std::string &program, const std::string &arguments = "")
 {
     const ScratchFile statistics;
@@ -90,7 +89,7 @@ TEST(Preload, HabitsOfProgramsMakeNoDifference)
         EXPECT_TRUE(launch(options + std::string(" " HABITS)).output == native) << options;
 }
 
-// The other two have an infinite box when they are inside another space, so that their own groups are met more often.
+// The other two have an infinite box inside another space, so their groups are met more often.
 TEST(Preload, TracesAreTheSameWithOdesOwnSpaces)
 {
     const ScratchFile native, replaced;
@@ -113,7 +112,7 @@ TEST(Preload, TracesTellMotionsApart)
     EXPECT_NE(first, second);
 }
 
-// They were not: the program kept its own spaces.
+// Once, the program kept its own spaces.
 TEST(Preload, ReachesFunctionsThatAreLookedUp)
 {
     const std::string said = statistics_of("", LOOKED_UP, ODE_LIBRARY);
@@ -129,7 +128,7 @@ TEST(Preload, LeavesFunctionsAloneThatAreLookedUpInAForeignOde)
     EXPECT_TRUE(contains(one_line_refusal(LOOKED_UP, OTHER_ODE), OTHER_ODE));
 }
 
-// dlsym() takes the library that calls it for the beginning of the search. Passed on by a call in place of a jump, it would
+// dlsym() starts its search at the library that calls it. If the preload passed it on by a call instead of a jump, it would
 // find the same function again.
 TEST(Preload, LookingUpTheNextFunctionWorksAsWithoutIt)
 {
@@ -138,7 +137,7 @@ TEST(Preload, LookingUpTheNextFunctionWorksAsWithoutIt)
     EXPECT_EQ(launch(NEXT_FUNCTION).output, native);
 }
 
-// It ended by an exception: to load the second half meant to initialise what was being initialised.
+// Once, the program ended by an exception: loading the second half initialised what was being initialised.
 TEST(Preload, AProgramMayMakeThePredictiveSpaceItself)
 {
     for (const char *options : {"--stats ", "--space none --stats ", ""})
@@ -168,7 +167,7 @@ TEST(Preload, RefusesAnotherPrecision)
     EXPECT_TRUE(contains(one_line_refusal(OTHER_PRECISION), "precision"));
 }
 
-// The message was that of the dynamic linker, which had found an undefined symbol.
+// Once, the message was that of the dynamic linker, about an undefined symbol.
 TEST(Preload, RefusesALibraryOfAnotherPrecisionUnderTheSameName)
 {
     const std::string said = one_line_refusal(LINKED_WITH_OTHER_PRECISION);
@@ -176,8 +175,8 @@ TEST(Preload, RefusesALibraryOfAnotherPrecisionUnderTheSameName)
     EXPECT_EQ(launch(LINKED_WITH_OTHER_PRECISION).status, 3);
 }
 
-// The dynamic linker describes the second library where it had described the first one; the program ended in an assertion, as
-// its spaces were made by the wrong ODE.
+// The dynamic linker describes the second library at the address of the first one's description. Once, the program ended in an
+// assertion, as its spaces were made by the wrong ODE.
 TEST(Preload, TellsALibraryFromOneThatWasThereBefore)
 {
     const std::string libraries = FOREIGNER " " EXTENSION " " FOREIGNER;
@@ -187,8 +186,8 @@ TEST(Preload, TellsALibraryFromOneThatWasThereBefore)
     EXPECT_EQ(outcome.output, run(LOCAL, libraries).output);
 }
 
-// What a function does last it does by a jump, and its caller seems to have called ODE: here a program that has none, and two
-// libraries with an ODE each. It was ended, as if there were none.
+// A tail call is a jump, so that the caller of the function seems to have called ODE: here a program without ODE, and two
+// libraries with an ODE each. Once, the program was ended because no ODE was found.
 TEST(Preload, FollowsJumpsToTheRightOde)
 {
     const std::string libraries = EXTENSION " " FOREIGNER " " EXTENSION;
@@ -199,14 +198,15 @@ TEST(Preload, FollowsJumpsToTheRightOde)
     EXPECT_EQ(count_of("predictive by boxes", said.text()), 2 * 15);
 }
 
-// One thread held the preload's lock and waited for the dynamic linker's, the other had it the other way round.
+// Once, one thread held the preload's lock and waited for the dynamic linker's, and the other held that and waited for the
+// preload's.
 TEST(Preload, ConstructorsMayUseOde)
 {
     EXPECT_EQ(launch("timeout 20 " CONSTRUCTING " " CONSTRUCTOR).status, 0);
 }
 
-// Of the dynamic linker's two locks, the check of ODE took one and wanted the other, and a thread that loads or unloads has it
-// the other way round: one run in fifteen did not end.
+// Once, the check of ODE took the two locks of the dynamic linker in another order than a thread that loads or unloads: one run
+// in fifteen did not end.
 TEST(Preload, LibrariesMayBeLoadedMeanwhile)
 {
     for (int i = 0; i < 60; ++i)
@@ -224,8 +224,8 @@ TEST(Preload, ThreadsMayMeetOdeAllAtOnce)
     }
 }
 
-// A child has its parent's memory, but of its threads only one: what another held or had not yet written stays so. Lines were
-// written by parent and children, and children did not end.
+// A child has its parent's memory but only one of its threads: locks of other threads stay held, and buffered lines stay
+// unwritten. Once, lines were written by parent and children, and children did not end.
 TEST(Preload, ChildrenWriteTheirOwnLinesOfATraceOnly)
 {
     const ScratchFile trace;
@@ -239,8 +239,8 @@ TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
     EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 20 busy").status, 0);
 }
 
-// ODE's message came from within the ledger's lock, for another function than was called; a program that goes on after it
-// did not end.
+// Once, ODE's message came from within the ledger's lock, for another function than was called, and a program that continued
+// after it did not end.
 TEST(Preload, OdeRefusesWhatItRefusesWithout)
 {
     for (const char *options : {"", "--stats=/dev/null"})
@@ -254,7 +254,7 @@ TEST(Preload, IsNotNoticedWithoutOde)
     EXPECT_EQ(outcome.status, 5);
 }
 
-// What is loaded into every process must not bring anything with it.
+// A library that is loaded into every process must not load others.
 TEST(Preload, NeedsTheCLibraryAlone)
 {
     const Outcome outcome = run("readelf", "--dynamic --wide " INSTALLED_PRELOAD);

@@ -15,7 +15,7 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// This program calls ODE's function, but does not define it.
+// This program calls ODE's function but does not define it.
 TEST(ProgramFile, ACallOfOdeIsNoDefinition)
 {
     EXPECT_NE(&dSpaceCollide, nullptr);
@@ -30,7 +30,7 @@ TEST(ProgramFile, OtherFilesHaveNoOde)
     EXPECT_FALSE(has_ode_built_in("/etc/passwd"));
 }
 
-// Whatever the tables of a broken file say, nothing outside it is read.
+// The tables of a broken file must not cause reads outside it.
 TEST(ProgramFile, BrokenFilesDoNoHarm)
 {
     std::ifstream self("/proc/self/exe", std::ios::binary);

@@ -1,4 +1,4 @@
-// --record: what programs tell their spaces, and what a replay makes of it.
+// --record: the calls of programs to their spaces, and the replay of these calls.
 
 #include <ode/common.h>
 
@@ -15,7 +15,6 @@ namespace ode_predictive_space::preload
 {
 namespace
 {
-// A folder for the file of a recording.
 struct RecordingFolder : ScratchFolder
 {
     std::string file() const { return path() + "/file"; }
@@ -33,8 +32,8 @@ TEST(Record, AProgramGoesTheSameWayAndItsRecordingHasItsPairs)
         EXPECT_EQ(folder.files(), 1) << "the one of an earlier run is gone";
         const Outcome replayed = run(REPLAYER, "--pairs " + folder.file());
         EXPECT_EQ(replayed.status, 0) << replayed.output;
-        // ODE's own sweep-and-prune and quadtree spaces within others report these with everything. All geoms are primitives, which by
-        // shape are told apart by box.
+        // ODE's own sweep-and-prune and quadtree spaces are reported with everything when they are nested. All geoms are
+        // primitives, which the shape test compares by box.
         EXPECT_EQ(contains(replayed.output, "in all of its"), std::string(options) != "--space none ")
             << replayed.output;
     }
@@ -110,7 +109,7 @@ TEST(Record, AChildThatIsForkedLeavesTheRecordingToItsParent)
     EXPECT_EQ(replayed.status, 0) << replayed.output;
 }
 
-// Nothing was recorded of the second program.
+// Once, nothing was recorded of the second program.
 TEST(Record, AProcessThatBecomesAnotherProgramHasAFurtherFile)
 {
     const RecordingFolder folder;
@@ -119,7 +118,7 @@ TEST(Record, AProcessThatBecomesAnotherProgramHasAFurtherFile)
     EXPECT_EQ(folder.files(), 3) << outcome.output;
 }
 
-// The file was removed while a program was still writing to it.
+// Once, the file was removed while a program was still writing to it.
 TEST(Record, ASecondLauncherLeavesTheRecordingOfTheFirstAlone)
 {
     const RecordingFolder folder;

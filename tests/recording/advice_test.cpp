@@ -8,13 +8,12 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// Replays that differ by a hundredth.
 std::vector<double> about(double microseconds)
 {
     return {microseconds, 1.01 * microseconds, microseconds, 1.005 * microseconds, microseconds};
 }
 
-// A program with hash spaces whose tick takes 1000 us beside the predictive spaces that it was recorded with.
+// A program with hash spaces that was recorded with predictive spaces in their place; its tick then takes 1000 us.
 Findings found(double own, double box, double shape, double spared = 0)
 {
     Findings findings;
@@ -110,7 +109,7 @@ TEST(Advice, NamesTheBestOfOdesOwnSpaces)
     EXPECT_FALSE(says(findings, "best other one"));
     findings.spaces.push_back({SpaceKind::sap, about(136)});
     findings.spaces.push_back({SpaceKind::quadtree, about(200)});
-    findings.spaces.push_back({SpaceKind::simple, {}}); // it ends the program
+    findings.spaces.push_back({SpaceKind::simple, {}}); // this space ends the program
     EXPECT_TRUE(says(findings, "In the best other one of ODE's spaces, sap, it would be 19 % shorter."))
         << sentence_for(findings);
 }

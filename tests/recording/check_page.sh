@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Opens the pages that a program writes with --report in headless Chromium: no console message, nothing from elsewhere, plots that
-# have points. Exit status 77 without Chromium: CTest shows the test as skipped.
+# Opens the pages that a program writes with --report in headless Chromium: no console message, no external content, plots with
+# points. Exit status 77 without Chromium: CTest shows the test as skipped.
 # Usage: check_page.sh PLOTS COMMAND...
-#   PLOTS     the headings that the page must have, separated by ';'
-#   COMMAND   writes the page when `--report FOLDER` is put in place of the word REPORT
+#  PLOTS     the headings that the page must have, separated by ';'
+#  COMMAND   writes the page when `--report FOLDER` replaces the word REPORT
 
 set -euo pipefail
 
@@ -27,7 +27,7 @@ for word in "$@"; do
 done
 "${command[@]}" >"$work/output" 2>&1 || fail "status $?: $(<"$work/output")"
 
-# Chromium's own sandbox does not work as root.
+# Chromium's sandbox does not work as root.
 HOME=$work timeout 120 "$browser" --headless --no-sandbox --disable-gpu --disable-dev-shm-usage \
     --user-data-dir="$work/profile" --enable-logging=stderr --dump-dom "file://$work/page/index.html" \
     >"$work/dom" 2>"$work/log" || fail "chromium: $(tail -5 "$work/log")"

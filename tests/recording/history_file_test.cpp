@@ -1,4 +1,4 @@
-// The file of a recording on a full disk, which a limit of the process stands for.
+// The file of a recording on a full disk, which a limit of the process simulates.
 
 #include "ode_predictive_space/recording/history_file.h"
 
@@ -25,7 +25,7 @@ void count_signal(int /*number*/)
     ++signals_of_size;
 }
 
-/// While it lives, this process writes no file of more bytes, and counts the signals that say so.
+/// During its lifetime, this process writes no larger files, and counts the signals of the limit.
 class LimitOfFiles
 {
 public:
@@ -75,7 +75,7 @@ TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
     EXPECT_TRUE(HistoryFile(scratch.path(), false).is_open());
 }
 
-// Its content was lost, while the first recording went on.
+// Once, its content was lost, while the first recording continued.
 TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
 {
     const ScratchRecording scratch;

@@ -1,5 +1,5 @@
-// A recording tells the truth: its replay takes the instructions that the program's space took, and its pairs have the contacts that
-// they had in the program.
+// A recording is faithful: its replay takes the instructions that the program's space took, and its pairs have the contacts
+// that they had in the program.
 
 #include <cstdio>
 #include <sstream>
@@ -71,7 +71,7 @@ TEST_P(Recorded, PairsByShapeHaveTheirContacts)
     EXPECT_EQ(replayed.contacts, live.contacts);
 }
 
-#ifdef COUNT_INSTRUCTIONS // of the long tests: valgrind is installed for them
+#ifdef COUNT_INSTRUCTIONS // only in the long tests, for which valgrind is installed
 double difference(std::optional<std::uint64_t> all, std::optional<std::uint64_t> without_space)
 {
     EXPECT_TRUE(all && without_space);

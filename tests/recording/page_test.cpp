@@ -26,7 +26,7 @@ std::size_t count_of(const std::string &part, const std::string &text)
     return count;
 }
 
-/// While it lives, this process writes no file of more bytes.
+/// During its lifetime, this process writes no larger files.
 class SmallFiles
 {
 public:

@@ -1,4 +1,4 @@
-// What is printed of a text that a file or a program supplies.
+// The printed form of a text from a file or a program.
 
 #include "ode_predictive_space/recording/printable.h"
 

@@ -16,7 +16,6 @@
 
 namespace ode_predictive_space::recording
 {
-/// Records collides of a space of any kind, as the launcher does.
 class Recorded
 {
 public:
@@ -48,7 +47,7 @@ public:
         return Recording::read(file_.path());
     }
 
-    /// As after a crash.
+    /// The recording as it is after a crash.
     Recording so_far() const { return Recording::read(file_.path()); }
 
 private:
@@ -68,8 +67,8 @@ private:
     std::unique_ptr<Recorder> recorder_;
 };
 
-/// Spaces of these kinds find the pairs in it that the recorded program got, those of simple spaces. Collides that an exception ended
-/// have none.
+/// Spaces of these kinds must find the pairs that the recorded program got, those of simple spaces. Collides that an exception
+/// ended have none.
 void expect_pairs_agree(const Recording &recording,
                         const std::vector<SpaceKind> &kinds = {all_kinds.begin(), all_kinds.end()});
 } // namespace ode_predictive_space::recording

@@ -1,4 +1,4 @@
-// Random histories, recorded by their outermost space and replayed: the pairs are those that the space reported.
+// Random histories, recorded by their outermost space and replayed: the replay must have the pairs that the space reported.
 
 #include <algorithm>
 
@@ -41,8 +41,8 @@ void apply(const Operation &operation, Universe &universe)
     }
 }
 
-// Leaves out what a recording does not keep: the results of a user class's AABBTest, and the infinite boxes that ODE's nested
-// sweep-and-prune and quadtree spaces have.
+// Replaces what a recording does not keep: the results of a user class's AABBTest, and the infinite boxes of ODE's nested
+// sweep-and-prune and quadtree spaces.
 Operation recordable(Operation operation)
 {
     if (operation.action == Action::make_geom && operation.number == static_cast<int>(GeomKind::user))
@@ -74,7 +74,7 @@ TEST_P(RecordedHistories, AreReplayedWithThePairsThatTheSpaceReported)
     {
         const Recording recording = recorded(make_history({GetParam(), 20, 150, true}, seed));
         EXPECT_TRUE(recording.has_end());
-        // Not in ODE's other spaces, which miss pairs of what is far larger than its neighbours.
+        // ODE's other spaces miss pairs of geoms that are far larger than their neighbours.
         expect_pairs_agree(recording, {SpaceKind::simple, SpaceKind::box, SpaceKind::sphere, SpaceKind::shape});
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
@@ -82,7 +82,7 @@ TEST_P(RecordedHistories, AreReplayedWithThePairsThatTheSpaceReported)
 
 using RecordedHistory = OdeTest;
 
-// ODE forgets the offset with the body.
+// ODE drops the offset with the body.
 TEST_F(RecordedHistory, OfAGeomThatGoesToAnotherBodyAtTheSameOffset)
 {
     const dWorldID world = dWorldCreate();

@@ -1,4 +1,4 @@
-// The notices that a recorded predictive space gets, and what a recording says of the space.
+// The notices that a recorded predictive space gets, and the description of the space in a recording.
 
 #include <map>
 #include <set>
@@ -18,7 +18,7 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// By the numbers of geoms, what a space is told between two collides.
+// Counts the notices of a space for each geom between two collides.
 class Notices final : public NoticeListener
 {
 public:
@@ -26,7 +26,6 @@ public:
     ~Notices() { ode_predictive_space_stop_listening(this); }
     void notify_moved(dGeomID geom) override { ++numbers_[geom]; }
 
-    // Of the geoms, in this order.
     std::vector<int> take(const std::vector<dGeomID> &geoms)
     {
         std::vector<int> numbers;
@@ -40,7 +39,7 @@ private:
     std::map<dGeomID, int> numbers_;
 };
 
-// Enough for the space to predict, which leaves no moved geom marked.
+// Enough geoms for the space to predict, so that no moved geom stays marked.
 std::vector<dGeomID> balls_in(dSpaceID space)
 {
     std::vector<dGeomID> balls;
@@ -52,7 +51,7 @@ std::vector<dGeomID> balls_in(dSpaceID space)
     return balls;
 }
 
-// Before each event but the first, of the geoms in the first space, from the last to the first as they were recorded.
+// The notices before each event but the first, for the geoms in the first space, from the last to the first as recorded.
 std::vector<std::vector<int>> notices_in_replay(const Recording &recording)
 {
     Stage stage(recording, SpaceKind::box);
@@ -78,7 +77,7 @@ std::vector<std::vector<int>> notices_in_replay(const Recording &recording)
     return numbers;
 }
 
-// As an engine of its own does that sets all poses in each tick, though few change.
+// Like an engine with its own world, the program sets all poses in each tick, though few change.
 TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
 {
     const dWorldID world = dWorldCreate();
@@ -153,7 +152,7 @@ TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpa
     dSpaceDestroy(space);
 }
 
-// What stands in the place of one of ODE's is of that class to the program; what the program made itself is predictive.
+// A substitute has the class of ODE's space for the program; a space that the program itself made is predictive.
 TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
 {
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
@@ -189,7 +188,7 @@ TEST_F(RecorderTest, ASpaceThatIsNotRecordedAnyMoreIsNotWatchedEither)
     EXPECT_EQ(functions(), before);
     Recorded other;
     other.collide(space);
-    dSpaceDestroy(space); // while it is listened to
+    dSpaceDestroy(space); // while it has a listener
     EXPECT_TRUE(other.recorder().close());
 }
 } // namespace

@@ -73,7 +73,6 @@ TEST_F(RecorderTest, MeshesOfTheSameArraysReadWithOtherStridesAreOthers)
         dGeomTriMeshDataDestroy(each);
 }
 
-// What dCollide() finds, to the bit.
 std::vector<dReal> contacts_of(dGeomID first, dGeomID second)
 {
     dContactGeom contacts[20];
@@ -199,7 +198,7 @@ TEST_F(RecorderTest, TheCallbackOfAHeightfieldIsCalledOnceForEachSample)
     dGeomHeightfieldDataDestroy(field);
 }
 
-// ODE's own header calls transforms deprecated; programs have them.
+// ODE's own header calls transforms deprecated; programs use them.
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
 {

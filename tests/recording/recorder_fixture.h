@@ -1,5 +1,3 @@
-// What the tests of recorders share.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_RECORDING_RECORDER_FIXTURE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_RECORDING_RECORDER_FIXTURE_H
 
@@ -25,7 +23,6 @@ inline void count(void *number, dGeomID /*first*/, dGeomID /*second*/)
     ++*static_cast<int *>(number);
 }
 
-// After all of its records.
 inline std::unique_ptr<Stage> staged(const Recording &recording, SpaceKind kind = SpaceKind::box)
 {
     auto stage = std::make_unique<Stage>(recording, kind);
@@ -37,7 +34,6 @@ inline std::unique_ptr<Stage> staged(const Recording &recording, SpaceKind kind 
     return stage;
 }
 
-// All that a space sees of a geom, and all that is recorded of it and of its body.
 inline void expect_same(dGeomID before, dGeomID now)
 {
     EXPECT_EQ(difference(state_of(before), state_of(now)), 0);
@@ -48,7 +44,7 @@ inline void expect_same(dGeomID before, dGeomID now)
     if (const dBodyID body = dGeomGetBody(now))
     {
         EXPECT_EQ(difference(state_of(dGeomGetBody(before)), state_of(body)), 0);
-        // By ODE's own functions: what is not recorded is missing in both states.
+        // Values of ODE's own functions are compared, as unrecorded data are missing in both states.
         for (const auto get : {dBodyGetPosition, dBodyGetRotation, dBodyGetLinearVel, dBodyGetAngularVel})
             EXPECT_EQ(std::memcmp(get(dGeomGetBody(before)), get(body), 3 * sizeof(dReal)), 0);
     }

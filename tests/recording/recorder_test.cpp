@@ -1,4 +1,4 @@
-// What is recorded of bodies, geoms and spaces comes back, to the bit.
+// Recorded bodies, geoms and spaces are restored to the bit.
 
 #include <limits>
 #include <vector>
@@ -240,10 +240,10 @@ TEST_F(RecorderTest, ProbesOutsideOfSpacesAreRecorded)
     dSpaceDestroy(space);
 }
 
-// ODE does not tell when a geom outside of all spaces is destroyed. An object of another class may get its address.
+// ODE sends no notice when a geom outside of all spaces is destroyed. An object of another class may get its address.
 TEST_F(RecorderTest, ASpaceMayStandWhereAProbeWas)
 {
-    // All are of one size, so that memory is used again at once.
+    // All allocations have one size, so that memory is used again at once.
     dSetAllocHandler([](dsizeint size) { return std::malloc(std::max<dsizeint>(size, 1000)); });
     const dSpaceID outer = dSimpleSpaceCreate(nullptr);
     dCreateSphere(outer, 1);

@@ -1,4 +1,4 @@
-// How recordings end, and spaces that record themselves.
+// The ends of recordings, and spaces that record themselves.
 
 #include <cstdlib>
 #include <fstream>
@@ -40,7 +40,7 @@ TEST_F(RecorderTest, TheRecordingEndsAtItsLimitWithAWholeTick)
     dSpaceDestroy(space);
 }
 
-// Every limit within the size of a tick: there is always room for the end, and for the pairs of a collide that has begun.
+// All limits within the size of a tick: there is always room for the end, and for the pairs of a collide that has begun.
 TEST_F(RecorderTest, NoLimitIsExceeded)
 {
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
@@ -75,7 +75,7 @@ TEST_F(RecorderTest, WithoutAnEndTheLastCollideIsThere)
     dSpaceDestroy(space);
 }
 
-// It was closed as whole and then refused: half of an event was in it.
+// Once, it was closed as whole and then refused, as it contained half of an event.
 TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
 {
     Tetrahedron tetrahedron;
@@ -155,7 +155,7 @@ TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
     EXPECT_TRUE(Recording::read(file.path()).has_end());
 }
 
-// The next collide ended the program.
+// Once, the next collide ended the program.
 TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
 {
     const ScratchRecording file;

@@ -1,4 +1,4 @@
-// Broken and hostile files: the offset of the record that is wrong, and nothing else.
+// Broken and hostile files: the reader names the offset of the wrong record.
 
 #include <algorithm>
 #include <cstring>
@@ -17,7 +17,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// The bytes of a file, record by record.
 class Bytes
 {
 public:
@@ -54,7 +53,6 @@ public:
         return *this;
     }
 
-    // What a geom has to do with other records.
     struct Links
     {
         std::uint32_t parent = 0, data = 0, body = 0;
@@ -118,7 +116,6 @@ public:
         return end();
     }
 
-    // A change of one field that is a number.
     Bytes &change(std::uint32_t id, int geom_class, std::uint16_t field, std::uint32_t value)
     {
         begin(RecordKind::geom).number<std::uint32_t>(id).number<std::uint8_t>(geom_class);
@@ -171,7 +168,7 @@ public:
         return end();
     }
 
-    // Longer than records of all other kinds can be.
+    // This record is longer than records of all other kinds can be.
     Bytes &large_convex()
     {
         constexpr std::uint32_t points = 60;
@@ -197,7 +194,7 @@ private:
     std::uint32_t version_;
 };
 
-// What is wrong, "" when nothing is; and whether the offset is that of the last record.
+// The reader's complaint, which must be about this offset, or an empty text.
 std::string complaint(Bytes bytes, std::size_t offset)
 {
     try
@@ -259,7 +256,7 @@ TEST(Recording, TakesAFileOfTheFirstVersion)
         bytes, [](Bytes &b) { b.geom(2, dHeightfieldClass, 1); }, "version 1");
 }
 
-// The launcher's answer is about this one.
+// The launcher's advice is about this space.
 TEST(Recording, KnowsItsFirstSpace)
 {
     Bytes bytes;
@@ -278,7 +275,7 @@ TEST(Recording, RefusesOtherFiles)
     EXPECT_THROW(Recording(std::vector<char>(1000, 'x')), BadRecording);
     EXPECT_THROW(Recording::read("/nonexistent/file"), std::runtime_error);
     EXPECT_THROW(Recording::read(testing::TempDir()), std::runtime_error) << "a folder";
-    for (const char version : {3, 0}) // a version below the first one is none that this reader knows
+    for (const char version : {3, 0}) // neither version is known
     {
         Bytes other;
         other.bytes()[sizeof magic] = version;
@@ -289,7 +286,7 @@ TEST(Recording, RefusesOtherFiles)
     EXPECT_NE(complaint(precision, 12).find("precision"), std::string::npos);
 }
 
-// A program that was killed while it wrote left such a file, which was refused as a whole.
+// Once, such a file, left by a program that was killed while it wrote, was refused as a whole.
 TEST(Recording, IsReadUpToItsLastWholeRecordWhereverItIsCut)
 {
     Bytes bytes;
@@ -315,7 +312,7 @@ TEST(Recording, IsReadUpToItsLastWholeRecordWhereverItIsCut)
     }
 }
 
-// A length that is none of its kind is a fault of the file, not where it is cut.
+// A length that no record of its kind has is a fault of the file, not a cut.
 TEST(Recording, RefusesALengthThatNoRecordOfItsKindHas)
 {
     Bytes good;

@@ -1,4 +1,4 @@
-// Programs of others, recorded: the same pairs in every kind of space.
+// Recordings of independent programs: the same pairs in every kind of space.
 
 #include <algorithm>
 #include <filesystem>
@@ -42,7 +42,6 @@ TEST_P(RecordedProgram, HasTheSamePairsInEverySpace)
 INSTANTIATE_TEST_SUITE_P(, RecordedProgram, testing::Values("pyode_boxes", "ign_world", "haptic_demo", "nested"),
                          [](const auto &info) { return info.param; });
 
-// The event and the geoms are named.
 TEST(Comparison, NamesTheFirstEventThatDiffers)
 {
     if (sizeof(dReal) == sizeof(float))

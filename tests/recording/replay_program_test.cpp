@@ -1,4 +1,4 @@
-// ode-predictive replay and report, as a user calls them.
+// ode-predictive replay and report as a user calls them.
 
 #include <algorithm>
 #include <cstdlib>
@@ -81,7 +81,7 @@ std::string page_about(const std::string &recording)
     return page;
 }
 
-// Behind the note, which comes first and is shorter than 256 bytes.
+// The first record is the note, which is shorter than 256 bytes.
 std::size_t second_record(const std::string &bytes)
 {
     return header_size + record_header_size + static_cast<unsigned char>(bytes[header_size]);
@@ -112,7 +112,7 @@ TEST(ReplayProgram, SaysOfAFileWithoutAWholeRecordThatItIsNothing)
     }
 }
 
-// It was refused as a whole.
+// Once, it was refused as a whole.
 TEST(ReplayProgram, ReplaysARecordingThatIsCutAndSaysWhere)
 {
     if (sizeof(dReal) == sizeof(float))
@@ -132,7 +132,7 @@ TEST(ReplayProgram, ReplaysARecordingThatIsCutAndSaysWhere)
     EXPECT_TRUE(contains(page_about(cut.path()), "<p>The recording is cut at event "));
 }
 
-// The escape sequences of its note reached the terminal.
+// Once, the escape sequences of its note reached the terminal.
 TEST(ReplayProgram, PrintsWhatAFileSuppliesWithoutControlCharacters)
 {
     if (sizeof(dReal) == sizeof(float))

@@ -1,4 +1,4 @@
-// What a replay counts, measures and says of small scenes.
+// Counts, measurements and texts from replays of small scenes.
 
 #include "ode_predictive_space/recording/replay.h"
 
@@ -73,7 +73,7 @@ TEST_F(Replay, JudgesCallbacksByTheirContacts)
     ball_at(20, 0, 0);
     ball_at(21, 0, 0); // a contact
     dGeomSetPosition(create_geom(GeomKind::user, 1, space_), 40, 0, 0);
-    ball_at(40, 0, 0); // of the other one only the box is known
+    ball_at(40, 0, 0); // the other one is known by its box only
     const float heights[4] = {0, 0, 0, 0};
     const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildSingle(field, heights, 0, 4, 4, 2, 2, 1, 0, 1, 0);

@@ -10,7 +10,6 @@
 
 namespace ode_predictive_space::recording
 {
-/// A file that is empty at first and gone afterwards.
 class ScratchRecording
 {
 public:

@@ -1,5 +1,3 @@
-// The scene that asks.
-
 #include "demos/runs/world_run.h"
 
 #include <gtest/gtest.h>

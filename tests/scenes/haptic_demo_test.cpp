@@ -1,4 +1,4 @@
-// predictive_haptic_demo as a user meets it: exit status, output, result file.
+// predictive_haptic_demo as a user runs it: exit status, output, result file.
 
 #include "demos/haptic/comparison_report.h"
 
@@ -87,7 +87,7 @@ TEST(HapticDemo, WritesItsResultsForOtherPrograms)
                 1e-6);
 }
 
-// A negative gain stood in the table without a word.
+// Once, the table had a negative gain without an explanation.
 TEST(HapticDemo, SaysWhatToDoWhereAVariantIsFasterThanTheFirst)
 {
     EXPECT_EQ(
@@ -101,7 +101,7 @@ TEST(HapticDemo, SaysWhatToDoWhereAVariantIsFasterThanTheFirst)
     EXPECT_EQ(faster_variant_text("predictive-shape", 150, "predictive-box", 120), "");
 }
 
-// It ended with status 0, or 1 for the help.
+// Once, it ended with status 0, or 1 for the help.
 TEST(HapticDemo, FailsWhenItsOutputCannotBeWritten)
 {
     for (const char *arguments :

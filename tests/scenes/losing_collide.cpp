@@ -1,5 +1,4 @@
-// A dSpaceCollide() that stands before ODE's own in a program and keeps back one pair in a hundred of the predictive
-// space's.
+// A dSpaceCollide() that takes precedence over ODE's in a program, and drops one pair in a hundred of the predictive space.
 
 #include <dlfcn.h>
 #include <ode/ode.h>

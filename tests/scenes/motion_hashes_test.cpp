@@ -1,4 +1,4 @@
-// Every world moves as it did when its line of motion_hashes.txt was written: to the last bit.
+// Every world moves to the last bit as it did when its line of motion_hashes.txt was written.
 
 #include "demos/worlds/world.h"
 
@@ -16,9 +16,8 @@ namespace ode_predictive_space::worlds
 {
 namespace
 {
-constexpr int ticks = 210; // more than between two events of the worlds that have some
+constexpr int ticks = 210; // more than between two events of a world
 
-/// FNV-1a of the bits of numbers.
 class BitHash
 {
 public:
@@ -94,7 +93,6 @@ std::string hash_of(const WorldSpec &spec)
     return hash.text();
 }
 
-/// A box that falls on its edge and tumbles.
 void add_fall(BitHash &hash)
 {
     const dWorldID world = dWorldCreate();
@@ -125,7 +123,7 @@ void add_fall(BitHash &hash)
     dWorldDestroy(world);
 }
 
-/// What motion depends on beside the worlds: the mathematical library, ODE, and the order in which a compiler evaluates operands.
+/// Other influences on motion: the mathematical library, ODE, and the order in which a compiler evaluates operands.
 std::string fingerprint()
 {
     BitHash hash;
@@ -193,7 +191,7 @@ TEST(MotionHashes, AreThoseOfTheTable)
     std::string text;
     std::getline(table, text);
     std::getline(table, text);
-    // Another mathematical library, ODE or compiler gives other numbers, but the same ones each time.
+    // Another mathematical library, ODE or compiler gives other numbers, but always the same ones.
     const bool is_known_here = text == here;
     std::set<std::string> expected, found;
     while (is_known_here && std::getline(table, text))

@@ -45,7 +45,7 @@ protected:
 TEST_F(PairListTest, DropsWhatTheSweepAndPruneSpaceRoundsTogether)
 {
     box_at(0, 0);
-    box_at(1 + 1e-9, 1); // a gap that single precision does not see
+    box_at(1 + 1e-9, 1); // a gap that single precision cannot resolve
     box_at(-1, 2);       // touches: closed intervals overlap
     collide();
     EXPECT_EQ(list_.size(), 2u) << "the sweep-and-prune space should report a pair that is 1e-9 apart";

@@ -91,7 +91,7 @@ TEST_F(WorldRunTest, ChecksThePredictiveSpace)
     EXPECT_TRUE(run.invariant_held());
 }
 
-/// Two boxes whose gap single precision does not see, and a third that touches the first.
+/// Two boxes with a gap that single precision cannot resolve, and a third that touches the first.
 class AlmostTouching : public World
 {
 public:
@@ -128,7 +128,7 @@ TEST_F(WorldRunTest, FalsePairsOfOtherSpacesAreNotForgiven)
 {
     WorldRuns runs;
     runs.push_back(run_almost_touching(SpaceKind::simple, dSimpleSpaceCreate(nullptr)));
-    // What reports too much, as a sweep-and-prune space does, under another name.
+    // A space that reports too much, as sweep-and-prune does, under another name.
     runs.push_back(run_almost_touching(SpaceKind::predictive, dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)));
     EXPECT_EQ(runs[1]->pairs(), 2u);
     EXPECT_EQ(runs[1]->false_pairs(), 0u);

@@ -1,4 +1,4 @@
-// All worlds: the same motion in every space, the pairs that brute force finds, and what they promise in common.
+// All worlds: the same motion in every space, the pairs of brute force, and their common promises.
 
 #include "demos/runs/world_run.h"
 
@@ -15,7 +15,7 @@ Group group_of(const std::string &name)
     return world_named(name).group;
 }
 
-/// More than a life of the worlds of "many", or than the time between events; few where there are thousands of rays.
+/// More than a life of the worlds of "many", or than the time between events; few for thousands of rays.
 int ticks_of(const std::string &name)
 {
     if (name == "reset" || name == "recentre") // the later ticks are of the same worlds
@@ -70,7 +70,7 @@ bool boxes_overlap(dGeomID first, dGeomID second)
     return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5];
 }
 
-/// Two geoms that are in the same space of a robot's own are not tested.
+/// Two geoms in the same nested space of a robot are not tested.
 bool in_one_nested_space(dGeomID first, dGeomID second, dSpaceID outer)
 {
     const dSpaceID space = dGeomGetSpace(first);
@@ -94,7 +94,6 @@ std::vector<IndexPair> pairs_by_brute_force(const World &world, dSpaceID space)
     return pairs;
 }
 
-/// A contender in a world, tick by tick.
 class Ticks
 {
 public:
@@ -172,7 +171,7 @@ TEST_P(ProgramWorlds, HaveInEachSpaceThePairsThatBruteForceFindsAtEveryTick)
     }
 }
 
-/// At limits ODE's other spaces take minutes, or lose pairs.
+/// In limit worlds, ODE's other spaces take minutes, or lose pairs.
 std::vector<SpaceKind> spaces_for(const std::string &name)
 {
     if (group_of(name) == Group::limit)

@@ -1,4 +1,4 @@
-// ODE's own colliders, where shapes nearly touch: they find no contact of a pair that the shape test leaves out.
+// ODE's own colliders for shapes that nearly touch: they find no contact of a pair that the shape test leaves out.
 
 #include <array>
 #include <cmath>
@@ -64,7 +64,6 @@ protected:
         }
     }
 
-    // A mesh that is much longer than wide, of four triangles.
     dGeomID create_slivers(double length)
     {
         const double width = length * log_between(1e-4, 1e-2);
@@ -99,7 +98,7 @@ protected:
         return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
     }
 
-    // Of two shapes, also within the hull of a mesh.
+    // The gap of two shapes, also within the hull of a mesh.
     double gap(dGeomID first, dGeomID second)
     {
         const ConvexShape one = made_shape(first), other = made_shape(second);
@@ -132,7 +131,8 @@ protected:
         return Vector3(place[0], place[1], place[2]);
     }
 
-    // Moves the geom away from a place on the surface until there is hardly a gap, or hardly a contact, and then a little on or back.
+    // Moves the geom away from a place on the surface until there is hardly a gap, or hardly a contact, and then a little
+    // farther or back.
     void nearly_touch_surface(dGeomID surface, const Vector3 &place, dGeomID geom, double size)
     {
         const Vector3 towards = direction();
@@ -148,7 +148,6 @@ protected:
         put(geom, place, towards, by_contact && one_in(2) ? low : high + (one_in(4) ? -on : on));
     }
 
-    // Thinner than the slivers, and smaller.
     dGeomID create_thin(int type, double length)
     {
         if (type == dTriMeshClass)
@@ -162,7 +161,7 @@ protected:
         const Polyhedron shapes[] = {Polyhedron::cube(), Polyhedron::octahedron(), Polyhedron::tetrahedron(),
                                      Polyhedron::square()};
         const std::size_t choice = random_() % (may_be_flat ? 4 : 3);
-        // ODE wants the origin within a convex.
+        // ODE requires the origin within a convex.
         const double aside = one_in(3) ? may_be_flat ? 1 : 0.05 : 0;
         return shapes[choice].changed(0.5 * Vector3(x, y, z), aside * Vector3(x, y, z).cwiseProduct(direction()));
     }
@@ -184,7 +183,7 @@ protected:
         dGeomSetRotation(geom, turned);
     }
 
-    // At a distance along a direction from `place`; a plane, so that its surface is there.
+    // The geom's distance is along a direction from `place`; the surface of a plane is put there.
     static void put(dGeomID geom, const Vector3 &place, const Vector3 &direction, double distance)
     {
         const Vector3 at = place + distance * direction;
@@ -205,7 +204,7 @@ protected:
         return dCollide(first, second, 4, found, sizeof found[0]) > 0;
     }
 
-    // Moves the second geom along the direction until there is hardly a gap, or hardly a contact, and then a little on.
+    // Moves the second geom along the direction until there is hardly a gap, or hardly a contact, and then a little farther.
     void nearly_touch(dGeomID first, dGeomID second, double size)
     {
         const double away = one_in(2) ? 0 : one_in(4) ? 1e4 : 10;
@@ -226,7 +225,7 @@ protected:
         put(second, place, towards, high + (one_in(4) ? -1 : 1) * size * log_between(1e-9, one_in(2) ? 1e-2 : 1));
     }
 
-    // Moves the second geom away from the first, a mesh, to the last place where ODE finds a contact: most often from before or from
+    // Moves the second geom away from the mesh to the last place where ODE finds a contact: most often from in front or from
     // behind, near an edge.
     void barely_touch(dGeomID mesh, dGeomID second, double size)
     {
@@ -246,7 +245,7 @@ protected:
         put(second, place, towards, low);
     }
 
-    // By the shape test alone, as if the boxes overlapped.
+    // Only the shape test decides, as if the boxes overlapped.
     bool may_touch(dGeomID first, dGeomID second)
     {
         const std::vector<dxGeom *> geoms{first, second};
@@ -265,14 +264,13 @@ protected:
         return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look, budget);
     }
 
-    double thinnest_ = 0.03; // shortest side, as a part of the size
-    double smallest_ = 0.01; // size, as a part of the other's
+    double thinnest_ = 0.03; // shortest side, relative to the size
+    double smallest_ = 0.01; // size, relative to the other's
     struct Counts
     {
         long contacts = 0, left_out = 0;
     };
 
-    // Destroys the geoms afterwards.
     void look_at(dGeomID first, dGeomID second, Counts &counts)
     {
         const bool touching = touch(first, second), reported = may_touch(first, second);
@@ -293,7 +291,7 @@ protected:
     void expect_no_contact_left_out(int one, int other, int poses)
     {
         Counts counts;
-        bool by_shape = false; // classes that are always judged by box are seen to be reported some times
+        bool by_shape = false; // a class that is always tested by box needs few poses
         for (int i = 0; i < poses && (by_shape || i < 50) && !HasFailure(); ++i)
         {
             const double size = log_between(1e-3, 1e2);
@@ -338,8 +336,8 @@ protected:
         }
     }
 
-    // Where the bounding box of a shape is, relative to a heightfield: each place at which ODE's collider ends early, goes on with a
-    // plane or wraps. A box is put at a border of what is decided there, or a little on.
+    // Places of the bounding box of a shape relative to a heightfield: each one at which ODE's collider ends early, continues
+    // with a plane or wraps. A box is put at the border of such a decision, or slightly beyond it.
     enum class Border
     {
         above,         // the bottom of the box at the highest sample
@@ -347,8 +345,8 @@ protected:
         below_thick,   // somewhere below the lowest sample beside it
         side,          // beyond a side, at any height
         corner,        // beyond a corner, at any height
-        below_side,    // beyond a side, the top of the box at the lowest sample beside it beside it
-        below_corner,  // beyond a corner, likewise beside it
+        below_side,    // beyond a side, the top of the box at the lowest sample beside it
+        below_corner,  // beyond a corner, likewise
         out_of_bounds, // a side of the box at a side of the heightfield
         on_sample,     // around a sample
         copies_away,   // some periods away, at a seam
@@ -361,10 +359,9 @@ protected:
 
     double nearly_zero(double size) { return one_in(4) ? 0 : (one_in(2) ? -1 : 1) * size * log_between(1e-12, 1e-1); }
 
-    // The place of a centre, beyond an end of a side by less than half a box.
+    // A coordinate of a centre near an end of a side, beyond it by at most half a box.
     double beyond(double side, double half) { return (one_in(2) ? -1 : 1) * (0.5 * side + between(-0.2, 1) * half); }
 
-    // The centre of a box with such half sides, in the frame of the heightfield.
     Vector3 centre_at(Border border, const Hills &hills, const Vector3 &half)
     {
         const int column = static_cast<int>(random_() % static_cast<unsigned>(hills.columns())),
@@ -414,7 +411,6 @@ protected:
         return place;
     }
 
-    // Turns and moves both geoms together.
     void put_elsewhere(dGeomID ground, dGeomID other, double size)
     {
         turn(ground);
@@ -483,8 +479,8 @@ TEST_F(ShapeColliders, FindNoContactOfThinPairsThatAreLeftOut)
             expect_no_contact_left_out(one, other, poses);
 }
 
-// Single-precision normals of slivers are far off. With a margin for ordinary triangles, contacts with boxes and with other slivers
-// were left out.
+// Single-precision normals of slivers are inaccurate. Once, with a margin for ordinary triangles, contacts with boxes and with
+// other slivers were left out.
 TEST_F(ShapeColliders, FindNoContactBesideSliversOfPairsThatAreLeftOut)
 {
     constexpr int poses = is_long ? 400000 : of_cases(40000);
@@ -504,7 +500,7 @@ TEST_F(ShapeColliders, FindNoContactBesideSliversOfPairsThatAreLeftOut)
     }
 }
 
-// Where the hull of a mesh does not help: within it.
+// The hull of a mesh does not help within it.
 TEST_F(ShapeColliders, FindNoContactBesideSurfacesOfPairsThatAreLeftOut)
 {
     constexpr int poses = is_long ? 400000 : of_cases(2400);
@@ -528,7 +524,7 @@ TEST_F(ShapeColliders, FindNoContactBesideSurfacesOfPairsThatAreLeftOut)
     }
 }
 
-// ODE's own boxes decide first, then planes of triangles; at the edges and where the ground repeats it has rules of its own.
+// ODE's own boxes decide first, then planes of triangles; edges and repeated ground have special rules.
 TEST_F(ShapeColliders, FindNoContactWithHeightfieldsOfPairsThatAreLeftOut)
 {
     constexpr int poses = is_long ? 400000 : of_cases(6000);
@@ -542,8 +538,8 @@ TEST_F(ShapeColliders, FindNoContactWithHeightfieldsOfPairsThatAreLeftOut)
     }
 }
 
-// Below the corner of a steep heightfield a sphere is outside the planes of all triangles, and ODE finds a contact because its box is
-// lower than the ground: the pair was left out.
+// Below the corner of a steep heightfield a sphere is outside the planes of all triangles, and ODE finds a contact because its
+// box is lower than the ground. Once, the pair was left out.
 TEST_F(ShapeColliders, FindNoContactAtBordersOfHeightfieldsOfPairsThatAreLeftOut)
 {
     constexpr int poses = is_long ? 400000 : of_cases(2000);

@@ -54,8 +54,8 @@ TEST(ContactForecast, OfBallsIsExact)
     EXPECT_FALSE(time_of_contact(still, comes, 0, for_long)) << "it turns back before";
 }
 
-// The deviation was taken as if it lay along an axis of the scene. Two objects then touched at the next tick although the forecast
-// said that they stay apart.
+// Once, the deviation was taken along an axis of the scene. Two objects then touched at the next tick, although the forecast
+// kept them apart.
 TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
 {
     const double root = std::sqrt(3);
@@ -90,7 +90,7 @@ TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
     EXPECT_EQ(time_of_contact(still, comes, 0, for_long), 1) << "it may turn about any point";
 }
 
-// Two triangles, 10 apart, as one mesh: what is between them is within its hull. The floor's normal points up.
+// Two triangles, 10 apart, as one mesh: the room between them is within its hull. The floor's normal points up.
 struct Room
 {
     explicit Room(const Vector3 &up)
@@ -146,7 +146,7 @@ TEST(ContactForecast, WithinTheHullOfAMeshDeviationsAreThoseOfEachCoordinateAlon
     EXPECT_GT(*forecast, 5) << "a gap is only bounded";
 }
 
-// The true objects turn as they like and leave their paths, as far as they may.
+// The true objects turn freely, and leave their paths as far as they may.
 TEST(ContactForecast, IsNeverLate)
 {
     int foretold = 0;

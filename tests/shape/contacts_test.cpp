@@ -1,4 +1,4 @@
-// By the shape test no contact is missed, whatever happens to the geoms, and dCollide() is seldom called in vain.
+// The shape test misses no contact, whatever happens to the geoms, and dCollide() is seldom called without result.
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ dPredictiveSpaceCounters counters_of(dSpaceID space)
 struct Totals
 {
     long overlapping = 0, contacts = 0, calls = 0, ticks = 0;
-    long asked = 0, contacts_of_asked = 0, calls_of_asked = 0; // pairs in questions whose boxes overlap
+    long asked = 0, contacts_of_asked = 0, calls_of_asked = 0; // pairs in queries whose boxes overlap
     unsigned long looks = 0, postponed = 0;
     std::map<std::pair<int, int>, long> contacts_of_classes;
 };
@@ -42,7 +42,7 @@ void ask(ShapeHistory &history, const std::string &where, Totals &totals)
         const ShapeHistory::Collision found = history.ask(probe);
         const ShapeHistory::Truth truth = history.brute_force(probe);
         ASSERT_EQ(found.repeated, 0) << where;
-        // Of rays, contacts are found that need not be.
+        // For rays, more contacts than needed may be found.
         ASSERT_TRUE(
             std::includes(found.contacts.begin(), found.contacts.end(), truth.contacts.begin(), truth.contacts.end()))
             << where << ", a probe of class " << dGeomGetClass(probe);
@@ -52,13 +52,12 @@ void ask(ShapeHistory &history, const std::string &where, Totals &totals)
     }
 }
 
-// Some last until accounts of looks are overdrawn, and balanced again.
+// Some last until budgets of gap tests are overdrawn, and balanced again.
 int ticks_of(unsigned history)
 {
     return history % 16 == 0 ? 4800 : 600;
 }
 
-// Compares with brute force at each tick.
 void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
 {
     ShapeHistory history(setting);
@@ -89,7 +88,7 @@ void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
     totals.looks += counters_of(history.space()).looks;
 }
 
-// Histories for a seed other than the usual: ODE_PREDICTIVE_SHAPE_SEED.
+// ODE_PREDICTIVE_SHAPE_SEED selects other histories.
 unsigned first_seed()
 {
     const char *seed = std::getenv("ODE_PREDICTIVE_SHAPE_SEED");
@@ -142,7 +141,6 @@ TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistory)
         }
 }
 
-// Of objects in rooms or on hills.
 void run_on_surfaces(bool ShapeHistory::Setting::*surface)
 {
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST

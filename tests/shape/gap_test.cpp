@@ -11,7 +11,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr int pairs_of_classes = 20; // of six, but two planes
+constexpr int pairs_of_classes = 20; // pairs of six classes, without that of two planes
 #ifdef ODE_PREDICTIVE_SPACE_LONG_TEST
 constexpr int poses = 1000000;
 #else
@@ -19,7 +19,6 @@ constexpr int poses = of_cases(600000) / pairs_of_classes;
 #endif
 constexpr double rounding = 1e-13;
 
-// Two shapes close to each other; now and then they overlap.
 struct NearShapes
 {
     ConvexShape first, second;

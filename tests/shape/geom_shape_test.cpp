@@ -1,4 +1,4 @@
-// How far a geom has moved, as the space sees it.
+// The motion of a geom as the space measures it.
 
 #include <cmath>
 
@@ -15,20 +15,18 @@ namespace
 class FollowedGeom : public OdeTest
 {
 protected:
-    // One tick, in which so many steps may be made.
     double moved(dGeomID geom, std::size_t steps = HullMaker::all_steps)
     {
         return follow_geom(0, geom, hulls_, steps, shape_);
     }
 
-    // The same, for a geom that has awaited its hull.
+    // As above, for a geom that waits for its hull.
     bool has_hull(dGeomID geom, std::size_t steps) { return !hulls_.hull_of(0, geom, steps).is_being_made; }
 
     HullStore hulls_;
     ConvexShape shape_;
 };
 
-// Triangles side by side in a row, with three corners each.
 Polyhedron row_of_triangles(unsigned count)
 {
     Polyhedron row;

@@ -9,7 +9,7 @@ namespace ode_predictive_space
 namespace
 {
 constexpr int sources = 5, bytes = 1;
-constexpr double samples_up = 200; // from the lowest to the highest
+constexpr double samples_up = 200; // from the lowest to the highest sample
 
 double between(std::mt19937_64 &random, double low, double high)
 {
@@ -36,7 +36,7 @@ dReal Hills::callback(void *hills, int column, int row)
     return self.computed_[static_cast<std::size_t>(column + row * self.columns_)];
 }
 
-// All but bytes go below 0.
+// All sources but bytes have samples below 0.
 int Hills::lowest_sample() const
 {
     return source_ == bytes ? 0 : -100;

@@ -11,34 +11,34 @@
 
 namespace ode_predictive_space
 {
-/// The data of a heightfield; they must outlive the geom. Some repeat without end, some have flat parts or are flat, some stand on
-/// their heads.
+/// The data of a heightfield; they must outlive the geom. Some repeat without end, some have flat parts or are flat, some are
+/// upside down.
 class Hills
 {
 public:
-    /// @param width of all cells, about; as deep.
-    /// @param height from the lowest to the highest sample, about.
+    /// @param width approximate width and depth of all cells together.
+    /// @param height approximate difference of the highest and the lowest sample.
     Hills(std::mt19937_64 &random, double width, double height, bool may_repeat = true);
     ~Hills();
     Hills(const Hills &) = delete;
     Hills &operator=(const Hills &) = delete;
 
     dHeightfieldDataID id() const { return id_; }
-    /// A place near the ground, or a little beyond its edge, seen from the geom.
+    /// A place near the ground, or slightly beyond its edge, in the frame of the geom.
     Eigen::Vector3d place(std::mt19937_64 &random) const;
     /// Sides of all cells together along x and z, and of one cell.
     Eigen::Vector3d sides() const { return {width_, 0, depth_}; }
     Eigen::Vector3d cell() const { return {width_ / (columns_ - 1), 0, depth_ / (rows_ - 1)}; }
     double height(int column, int row) const;
     double highest() const;
-    /// The lowest sample of the cells below or above a box, of one that does not repeat; of the whole otherwise.
+    /// The lowest sample of the cells below or above a box, or of the whole if the field repeats.
     double lowest_beside(const Eigen::Vector3d &centre, const Eigen::Vector3d &half) const;
     int columns() const { return columns_; }
     int rows() const { return rows_; }
 
-    /// Other samples in the same place. ODE's bounds stay those of the old ones.
+    /// Puts other samples into the same memory. ODE keeps the old bounds.
     void change_in_place(std::mt19937_64 &random);
-    /// Other samples in other places, of another source, under the same id.
+    /// Puts other samples into other memory, from another source, under the same id.
     void rebuild(std::mt19937_64 &random);
 
 private:
@@ -57,7 +57,7 @@ private:
     std::vector<short> shorts_;
     std::vector<float> floats_;
     std::vector<double> doubles_;
-    std::vector<dReal> computed_; // what the callback returns
+    std::vector<dReal> computed_; // values of the callback
 };
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// Convexes and meshes are judged by the hull of their present data, however these are exchanged.
+// Convexes and meshes are tested by the hull of their present data, however these are exchanged.
 
 #include <algorithm>
 #include <array>
@@ -26,8 +26,8 @@ namespace
 {
 const Eigen::Vector3d same(1, 1, 1), here(0, 0, 0);
 
-// An octahedron of height 2 in the middle and a ball near its edge: the boxes overlap. So that the motion keeps to its prediction,
-// and the pair stays the same, deviations are large.
+// An octahedron of height 2 in the middle and a ball near its edge: the boxes overlap. Deviations are large, so that the motion
+// keeps to its prediction and the pair stays the same.
 class HullData : public OdeTest
 {
 protected:
@@ -38,7 +38,7 @@ protected:
             dPredictiveSpaceSetDeviation(space, role, 1, 0, 0);
         dPredictiveEncounter none;
         dPredictiveSpaceGetEncounters(space, ball, &none, 1);
-        dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleInteractive); // no look is saved
+        dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleInteractive); // no gap test is saved
         dGeomSetPosition(ball, REAL(0.8), REAL(0.8), 0);
     }
     ~HullData() override { dSpaceDestroy(space); }
@@ -48,7 +48,7 @@ protected:
         return dCreateTriMesh(space, arrays.id(), nullptr, nullptr, nullptr);
     }
 
-    // Something moves, so that time passes.
+    // The ball moves, so that time passes.
     std::size_t pairs()
     {
         moves = -moves;
@@ -58,7 +58,7 @@ protected:
         return count;
     }
 
-    // A pair that was reported is looked at again after some ticks only.
+    // A reported pair is tested again only after some ticks.
     std::size_t pairs_later()
     {
         for (int i = 0; i < 16; ++i)
@@ -107,7 +107,7 @@ TEST_F(HullData, IsThatOfOtherMeshDataAtTheSamePlace)
     const dGeomID mesh = create_mesh(*arrays);
     EXPECT_EQ(pairs(), 0u);
     dGeomTriMeshSetData(mesh, another.id());
-    arrays->move_corners({0.4, 0.4, 0}); // as if it had been made anew from the memory of the first
+    arrays->move_corners({0.4, 0.4, 0}); // like new data in the memory of the first
     dGeomTriMeshSetData(mesh, arrays->id());
     EXPECT_EQ(pairs(), 1u);
 }
@@ -123,7 +123,7 @@ TEST_F(HullData, ChangedWhileNoGeomHasThemIsReadAnew)
     EXPECT_EQ(pairs(), 1u);
 }
 
-// A question needed the hull of the old data; their geom has other data since.
+// A query needed the hull of the old data; their geom has got other data since.
 TEST_F(HullData, ChangedWhileUnusedIsReadAgainAlsoAfterAQuestion)
 {
     const Polyhedron small = octahedron.changed(0.7 * same, here); // the middle of the ball is beside its box
@@ -140,7 +140,7 @@ TEST_F(HullData, ChangedWhileUnusedIsReadAgainAlsoAfterAQuestion)
     EXPECT_EQ(pairs(), 1u);
 }
 
-// One call serves for all geoms with these data.
+// One call is enough for all geoms with these data.
 TEST_F(HullData, ChangedInPlaceIsReadAnewForEveryGeomThatHasThem)
 {
     MeshArrays arrays(octahedron);
@@ -153,7 +153,7 @@ TEST_F(HullData, ChangedInPlaceIsReadAnewForEveryGeomThatHasThem)
     EXPECT_EQ(collide(space).size(), 1u);
 }
 
-// (ODE keeps the box of a mesh from when its data were built.)
+// ODE keeps the box that a mesh had when its data were built.
 TEST_F(HullData, ChangedInPlaceIsNoticedInTheBoxesToo)
 {
     dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
@@ -214,7 +214,6 @@ TEST_F(HullData, OfAMeshThatIsNotFiniteIsNone)
     EXPECT_EQ(pairs(), 1u) << "judged by its box";
 }
 
-// Its triangles decide.
 TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
 {
     MeshArrays arrays(Polyhedron::cube().changed(3 * same, here));
@@ -229,8 +228,8 @@ TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
     EXPECT_EQ(pairs(), 1u) << "on the floor of changed data";
 }
 
-// Small cubes in two layers, above and below the ball: within the hull, the triangles decide. The tree over the triangles takes
-// several ticks to build.
+// Small cubes in two layers, above and below the ball: within the hull, the triangles decide. Their tree takes several ticks to
+// build.
 Polyhedron layers_of_cubes()
 {
     Polyhedron many;
@@ -249,7 +248,7 @@ TEST_F(HullData, OfALargeMeshIsNotReadAfterItWasDestroyed)
     EXPECT_EQ(pairs(), 0u);
 }
 
-// Numbers whose memory goes back to the system at once: to read them later ends the program.
+// Numbers whose memory is unmapped at the end, so that a later read ends the program.
 class MappedNumbers
 {
 public:
@@ -294,7 +293,7 @@ TEST_F(HullData, OfALargeMeshIsNotReadAfterItsDataWereBuiltFromOthers)
     EXPECT_EQ(pairs(), 1u);
 }
 
-// Flat ground with a peak at one corner, which makes the box of the field high. The ball is in this box.
+// Flat ground with a peak at one corner, which makes the box of the field high. The ball is inside this box.
 class HullOfHeights : public HullData
 {
 protected:
@@ -310,7 +309,7 @@ protected:
             dGeomHeightfieldDataDestroy(data);
     }
 
-    // All data have the samples in common.
+    // All data share the samples.
     void build(dHeightfieldDataID data, dReal offset) const
     {
         dGeomHeightfieldDataBuildDouble(data, samples_.data(), 0, 8, 8, 5, 5, 1, offset, 1, 0);
@@ -356,7 +355,8 @@ TEST_F(HullOfHeights, IsThatOfTheOffsetWithWhichTheDataWereBuiltLast)
     EXPECT_EQ(collide(space).size(), 1u);
 }
 
-// Beside a heightfield ODE goes by the box that the data had when they were built, which others of the same arrays need not have.
+// For a heightfield ODE uses the box that the data had when they were built; other data with the same arrays may have another
+// box.
 TEST_F(HullData, HasTheOldBoxOfItsOwnDataWhereOthersHaveTheSameArrays)
 {
     std::mt19937 random(3);
@@ -410,7 +410,7 @@ TEST_F(HullData, HasTheOldBoxOfItsOwnDataWhereOthersHaveTheSameArrays)
 
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
 {
-    // A sheet like a saddle: far from flat in its own axes, too.
+    // A sheet like a saddle is far from flat in its own axes, too.
     constexpr unsigned side = 150;
     Polyhedron sheet;
     for (unsigned i = 0; i < side; ++i)

@@ -1,4 +1,4 @@
-// Looks at shapes that spare nothing are few, whatever the reason.
+// Gap tests that save no reports are few, for any reason.
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ protected:
         return dCreateTriMesh(space, arrays.id(), nullptr, nullptr, nullptr);
     }
 
-    // Beside the edge of a cube with sides of 2, near enough to touch it by 0.005 unless the cube is turned.
+    // The ball is beside the edge of a cube with sides of 2. It touches the cube by 0.005 unless the cube is turned.
     dGeomID create_ball()
     {
         const dGeomID ball = dCreateSphere(space, 1);
@@ -74,7 +74,7 @@ TEST_F(LookCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
     EXPECT_LT(reported, 50u) << "the shapes are apart";
 }
 
-// Two octahedra whose boxes overlap. What collides with a landscape is what moves.
+// Two octahedra whose boxes overlap. Only objects that move are tested against a landscape.
 TEST_F(LookCost, TwoMeshesThatHaveNotMovedAreNotLookedAt)
 {
     const MeshArrays octahedron(Polyhedron::octahedron());
@@ -105,7 +105,7 @@ TEST_F(LookCost, AMeshOnABodyIsLookedAtBesideAnotherMesh)
     dWorldDestroy(world);
 }
 
-// A look finds a gap, but at the next tick the mesh has turned farther than that.
+// A test finds a gap, but at the next tick the mesh has turned farther than that.
 TEST_F(LookCost, BesideAMeshThatTurnsLooksAreGivenUp)
 {
     const MeshArrays cube(Polyhedron::cube());

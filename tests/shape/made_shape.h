@@ -1,5 +1,3 @@
-// The shape of a geom, of which nothing is known before.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_MADE_SHAPE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_MADE_SHAPE_H
 

@@ -93,7 +93,7 @@ void ConvexArrays::change(const Polyhedron &polyhedron)
     std::copy(changed.planes_.begin(), changed.planes_.end(), planes_.begin());
 }
 
-// Many programs store normals between the corners. So these arrays have unused numbers there.
+// Many programs store normals between the corners, so these arrays have unused numbers there.
 constexpr std::size_t per_vertex = 5, per_triangle = 4;
 constexpr int unused = 77;
 

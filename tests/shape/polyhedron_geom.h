@@ -1,4 +1,4 @@
-// Convexes and meshes of any polyhedron, with the data that they are made of.
+// Convexes and meshes of any polyhedron, with their data.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
@@ -17,15 +17,14 @@ struct Polyhedron
     std::vector<Eigen::Vector3d> corners;
     std::vector<std::vector<unsigned>> faces;
 
-    static Polyhedron cube();        ///< of sides 2
-    static Polyhedron octahedron();  ///< of height 2
-    static Polyhedron tetrahedron(); ///< in the cube
-    static Polyhedron square();      ///< of sides 2, with one face
+    static Polyhedron cube();        ///< with sides of 2
+    static Polyhedron octahedron();  ///< with a height of 2
+    static Polyhedron tetrahedron(); ///< inside the cube
+    static Polyhedron square();      ///< with sides of 2 and one face
 
-    /// Another one beside it.
     void add(const Polyhedron &other);
 
-    /// With all corners multiplied, along each axis by its own factor, and then moved.
+    /// A copy whose corners are multiplied by a factor along each axis, and then moved.
     Polyhedron changed(const Eigen::Vector3d &factors, const Eigen::Vector3d &by) const;
 };
 
@@ -36,7 +35,6 @@ public:
     explicit ConvexArrays(const Polyhedron &polyhedron);
     dGeomID create(dSpaceID space) const;
     void give_to(dGeomID convex) const;
-    /// Changes points in place; the planes stay.
     void move_points(const Eigen::Vector3d &by);
     /// Changes points and planes in place, to those of a polyhedron with the same faces.
     void change(const Polyhedron &polyhedron);
@@ -57,11 +55,11 @@ public:
     MeshArrays &operator=(const MeshArrays &) = delete;
 
     dTriMeshDataID id() const { return id_; }
-    /// Without these, ODE cannot collide it with convexes. Only once.
+    /// ODE needs these to collide a mesh with convexes. They can be built only once.
     void build_face_angles();
     /// Gives ODE other corners in new arrays, under the same id.
     void rebuild(const Polyhedron &polyhedron);
-    /// Changes corners in place, and tells ODE, whose box stays that of the old ones.
+    /// Changes corners in place, with a notice to ODE, which keeps the old box.
     void move_corners(const Eigen::Vector3d &by);
 
 private:
@@ -72,7 +70,7 @@ private:
     std::vector<double> vertices_;
     std::vector<float> single_vertices_;
     std::vector<dTriIndex> triangles_;
-    // They live on, so that new ones are never in the same place.
+    // They are kept, so that new ones are never in the same place.
     std::vector<std::vector<double>> old_vertices_;
     std::vector<std::vector<float>> old_single_vertices_;
 };

@@ -8,7 +8,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A hull that keeps its points for the test, relative to the centre.
 struct PointHull : VertexHull
 {
     explicit PointHull(const std::vector<Vector3> &given) : VertexHull(given), points(given)
@@ -39,8 +38,8 @@ double log_between(ShapeMaker &maker, double low, double high)
     return std::exp(maker.between(std::log(low), std::log(high)));
 }
 
-// The point of a hull that is nearest, by moving weight from the worst of the points that have some to the best of all (pairwise
-// Frank-Wolfe steps): whatever the number of steps, it is a point of the hull.
+// The nearest point of a hull, by pairwise Frank-Wolfe steps: each moves weight from the worst of the points that have some to
+// the best of all. After any number of steps, the result is a point of the hull.
 Vector3 nearest_of_points(const std::vector<Vector3> &points, const Vector3 &point)
 {
     std::vector<double> weights(points.size());
@@ -76,7 +75,6 @@ Vector3 nearest_of_hull(const ConvexShape &shape, const Vector3 &point)
     return shape.centre + axes * nearest_of_points(points_of(*shape.hull), axes.transpose() * (point - shape.centre));
 }
 
-// The point of the shape that is nearest to `point`.
 Vector3 nearest_of(const ConvexShape &shape, const Vector3 &point)
 {
     if (shape.kind == ShapeKind::hull)
@@ -122,7 +120,6 @@ Eigen::Matrix3d ShapeMaker::rotation()
     return (Eigen::AngleAxisd(slightly, direction()) * Eigen::AngleAxisd(angle, direction())).toRotationMatrix();
 }
 
-// A tetrahedron, a box or a cloud of points.
 ConvexShape ShapeMaker::hull()
 {
     const Vector3 sides(log_between(*this, 0.01, 0.5), log_between(*this, 0.01, 0.5), log_between(*this, 0.01, 0.5));

@@ -1,4 +1,4 @@
-// Shapes of all kinds at random, and their distance by another way than the gap: by the nearest points of each.
+// Random shapes of all kinds, and their distance by another method than the gap: by nearest points.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_RANDOM_SHAPES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_RANDOM_SHAPES_H
@@ -36,7 +36,7 @@ public:
     bool one_in(int count) { return random_() % static_cast<unsigned>(count) == 0; }
     Vector3 vector() { return Vector3(between(-1, 1), between(-1, 1), between(-1, 1)); }
     Vector3 direction();
-    /// Any rotation; often one along the axes of the scene, or almost.
+    /// Any rotation, often exactly or nearly along the axes of the scene.
     Eigen::Matrix3d rotation();
 
     /// A shape with sides from 0.02 to 1, at the origin.
@@ -48,16 +48,14 @@ private:
     std::mt19937_64 random_;
 };
 
-/// The hull of points, in their place; of a mesh with its triangles.
+/// The hull of points in their place; for a mesh, with its triangles.
 ConvexShape hull_of(const std::vector<Vector3> &points, const std::shared_ptr<TriangleTree> &surface = nullptr);
 
-/// The shape, turned about its centre and then moved.
 ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const Vector3 &by);
 
-/// The shape, larger by a factor.
 ConvexShape scaled(const ConvexShape &shape, double factor);
 
-/// A distance between two points of the shapes: never less than the distance of the shapes, and after many steps close to it.
+/// A distance between two points of the shapes: never less than the distance of the shapes, and close to it after many steps.
 double distance_from_above(const ConvexShape &first, const ConvexShape &second, int steps);
 } // namespace ode_predictive_space
 

@@ -12,7 +12,7 @@ namespace
 {
 constexpr dReal step = REAL(0.01);
 
-// ODE has an error for convexes on meshes without angles of faces, so these are not collided.
+// ODE reports an error for convexes on meshes without angles of faces, so these are not collided.
 bool collidable(dGeomID one, dGeomID other)
 {
     return std::max(dGeomGetClass(one), dGeomGetClass(other)) != dTriMeshClass ||
@@ -24,7 +24,7 @@ bool touch(dGeomID one, dGeomID other)
     if (!collidable(one, other))
         return false;
     std::array<dContactGeom, 4> contacts;
-    // The order must not matter for the comparison.
+    // A fixed order makes the results comparable.
     return dCollide(std::min(one, other), std::max(one, other), 4, contacts.data(), sizeof contacts[0]) > 0;
 }
 
@@ -113,7 +113,7 @@ void ShapeHistory::create_room()
         give_body(members_.back().geom);
 }
 
-// The y axis of a heightfield is up; those that cannot be moved stay so, and all others fall beside them.
+// The y axis of a heightfield is up. One that cannot be moved keeps this direction.
 void ShapeHistory::create_hills()
 {
     const double half = setting_.half_room;
@@ -268,7 +268,7 @@ void ShapeHistory::give_other_data(const Member &member)
         meshes_[any(meshes_.size())].rebuild(polyhedron());
 }
 
-// Of all geoms that are made of the same data.
+// Changes the data of one mesh, and reports all meshes as changed.
 void ShapeHistory::change_in_place()
 {
     const Eigen::Vector3d by(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.1, 0.1));
@@ -393,7 +393,7 @@ ShapeHistory::Collision ShapeHistory::ask(dGeomID probe)
     return collected.first;
 }
 
-// A mesh whose corners were changed in place keeps its old box: a ray may touch it where it does not meet that.
+// A mesh whose corners were changed in place keeps its old box: contacts of a ray outside this box do not count.
 ShapeHistory::Truth ShapeHistory::brute_force(dGeomID probe) const
 {
     Truth truth;

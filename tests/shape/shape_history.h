@@ -1,5 +1,5 @@
-// Random histories of a program whose geoms move, turn, grow and vanish in all the ways that ODE has, with the contacts that it
-// finds by brute force.
+// Random histories of a program whose geoms move, turn, grow and vanish in all ways of ODE, with the contacts found by brute
+// force.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
@@ -25,16 +25,16 @@ public:
     {
         unsigned seed = 0;
         int geoms = 24;
-        double half_room = 2;    ///< they stay within a cube of twice this side
+        double half_room = 2;    ///< half the side of the cube that holds them
         double surprises = 0.3;  ///< changes per tick beside motion
-        bool all_classes = true; ///< otherwise spheres, boxes and capsules, and these two:
+        bool all_classes = true; ///< otherwise spheres, boxes and capsules, and the next two
         bool with_plane = true;
         bool with_cylinders = true;
         bool with_room = false;  ///< a mesh around all, with pillars, in place of the plane; half of the rooms move
         bool with_hills = false; ///< a heightfield below all, in place of the plane; some can be moved
         int proximity = 0;
-        int interactive = 2;  ///< one in so many geoms is made so: by shape, primitives are told apart beside it
-        double deviation = 0; ///< fixed; 0 to have the space adapt it. With a large one, pairs stay near for long.
+        int interactive = 2;  ///< one in this many geoms is interactive: its pairs with primitives are tested by shape
+        double deviation = 0; ///< fixed; 0: the space adapts it. A large one keeps pairs near for long.
     };
 
     explicit ShapeHistory(const Setting &setting);
@@ -42,21 +42,19 @@ public:
     ShapeHistory(const ShapeHistory &) = delete;
     ShapeHistory &operator=(const ShapeHistory &) = delete;
 
-    /// Things happen, and time passes.
     void advance();
 
     using GeomPairs = std::set<std::pair<dGeomID, dGeomID>>;
 
-    /// What one dSpaceCollide() leads to.
     struct Collision
     {
         GeomPairs contacts; ///< pairs with a contact
-        long calls = 0;     ///< of dCollide(), one for each pair reported
+        long calls = 0;     ///< calls of dCollide(), one for each pair reported
         long repeated = 0;  ///< pairs that were reported before at the same tick
     };
     Collision collide();
 
-    /// What a simple space would lead to.
+    /// The result of a simple space.
     struct Truth
     {
         GeomPairs contacts;
@@ -64,11 +62,10 @@ public:
     };
     Truth brute_force() const;
 
-    /// A dSpaceCollide2() of a probe, of this space or of none, with the space.
+    /// A dSpaceCollide2() of the space with a probe, which may be in this space or in none.
     Collision ask(dGeomID probe);
-    /// What a simple space would answer.
     Truth brute_force(dGeomID probe) const;
-    /// Somewhere where the geoms are: a ball, a ray, or one of the geoms. The first two go elsewhere each time.
+    /// Probes among the geoms: a ball and a ray, which go elsewhere each time, and one of the geoms.
     std::vector<dGeomID> probes();
 
     dSpaceID space() const { return space_; }

@@ -1,4 +1,4 @@
-// The shape test of proximity as a program sets it, and what it promises of single pairs.
+// The shape test of proximity as a program sets it, and its promises for single pairs.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ protected:
     ShapeProximity()
     {
         dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
-        // So that new geoms are predicted at once, not swept.
+        // New geoms are then predicted at once, not swept.
         dPredictiveEncounter none;
         const dGeomID first = dCreateSphere(space, 1);
         dPredictiveSpaceGetEncounters(space, first, &none, 1);
@@ -27,7 +27,7 @@ protected:
     }
     ~ShapeProximity() override { dSpaceDestroy(space); }
 
-    // Two primitives are told apart by box, unless the program has made one of them interactive.
+    // Two primitives are tested by box, unless the program has made one of them interactive.
     dGeomID by_shape(dGeomID geom)
     {
         dPredictiveSpaceSetGeomRole(space, geom, dPredictiveRoleInteractive);
@@ -62,14 +62,13 @@ protected:
         return counters;
     }
 
-    // Until pairs of objects that do not move are at rest.
     void let_rest()
     {
         for (int i = 0; i < 100; ++i)
             pairs();
     }
 
-    // The boxes of balls of radius 1 overlap, the balls are 0.26 apart.
+    // The boxes of balls of radius 1 overlap, but the balls are 0.26 apart.
     static constexpr dReal apart = REAL(1.6);
 
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
@@ -87,7 +86,7 @@ TEST_F(ShapeProximity, LeavesOutPairsWhoseBoxesAloneOverlap)
     EXPECT_EQ(counters().postponed, 0u);
 }
 
-// ODE goes by the box of the mesh there, which stays that of the old corners.
+// ODE then uses the box of the mesh, which is still that of the old corners.
 TEST_F(ShapeProximity, JudgesMeshesChangedInPlaceByBoxesBesideHeightfields)
 {
     const double flat[4] = {};
@@ -105,7 +104,7 @@ TEST_F(ShapeProximity, JudgesMeshesChangedInPlaceByBoxesBesideHeightfields)
     dGeomHeightfieldDataDestroy(heights);
 }
 
-// Such a mesh tells a capsule of triangles that it no longer reaches.
+// Such a mesh gives a capsule contacts with triangles that it no longer reaches.
 TEST_F(ShapeProximity, JudgesCapsulesByBoxesBesideMeshesThatKeepTheirTriangles)
 {
     const MeshArrays cube(Polyhedron::cube());
@@ -120,15 +119,15 @@ TEST_F(ShapeProximity, JudgesCapsulesByBoxesBesideMeshesThatKeepTheirTriangles)
     const dGeomID coherent = dCreateTriMesh(space, cube.id(), nullptr, nullptr, nullptr);
     dGeomTriMeshEnableTC(coherent, dBoxClass, 1);
     EXPECT_EQ(pairs(), 1u);
-    dGeomTriMeshClearTCCache(coherent); // ODE would not free what the mesh keeps
+    dGeomTriMeshClearTCCache(coherent); // ODE would not free the kept triangles
     dGeomDestroy(coherent);
 }
 
-// In between, looks at primitives are given up and tried again.
+// In between, gap tests of primitives are given up and tried again.
 TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
 {
     std::vector<dGeomID> row, others;
-    for (int i = 0; i < 60; ++i) // they touch at their ends, so that looks do not pay
+    for (int i = 0; i < 60; ++i) // they touch at their ends, so that gap tests do not pay
     {
         row.push_back(dCreateBox(space, 4, 1, 1));
         dGeomSetPosition(row.back(), dReal(3.9) * i, 0, 0);
@@ -137,7 +136,7 @@ TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
     const dTriIndex sides[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
     const dTriMeshDataID data = dGeomTriMeshDataCreate();
     dGeomTriMeshDataBuildSingle(data, corners, 3 * sizeof(float), 4, sides, 12, 3 * sizeof(dTriIndex));
-    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr); // is looked at in any case
+    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr); // it is always tested
     dGeomSetPosition(mesh, 0, -50, 0);
     row.push_back(ball(0, -51));
     for (int i = 0; i < 4; ++i)
@@ -191,7 +190,7 @@ TEST_F(ShapeProximity, NeedsNoLookAtBallsThatTouch)
 
 TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
 {
-    // So that the motion keeps to its prediction: a pair of an object that is predicted anew is a new pair.
+    // With this deviation the motion keeps to its prediction: a new prediction would make the pair new.
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
         dPredictiveSpaceSetDeviation(space, role, REAL(0.1), 0, 0);
     ball(0, 0);
@@ -206,7 +205,7 @@ TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
 
 TEST_F(ShapeProximity, ReportsAPairThatComesWithinTheMarginAtThatTick)
 {
-    // So that the motion keeps to its prediction, and the pair stays the same.
+    // With this deviation the motion keeps to its prediction, and the pair stays the same.
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
         dPredictiveSpaceSetDeviation(space, role, 2, 0, 0);
     dPredictiveSpaceSetShapeMargin(space, REAL(0.2));
@@ -266,7 +265,7 @@ TEST_F(ShapeProximity, TheTimeOfContactIsNeverLateAndNotMuchTooEarly)
         const dReal until_contact = (place - std::sqrt(REAL(2.0))) / step;
         dReal ticks = -1;
         const int meet = dPredictiveSpaceGetTimeOfProximity(space, one, other, &ticks);
-        // At the tick after, it touches. At first it may still count as still.
+        // At the next tick it touches. At first it may still count as still.
         EXPECT_TRUE(ticks <= until_contact + 1 || place > REAL(2.5)) << place;
         if (!meet || place > REAL(1.9))
             continue;
@@ -295,7 +294,7 @@ TEST_F(ShapeProximity, GivesTheMemoryOfShapesBack)
 
 TEST_F(ShapeProximity, NoticesThatAGeomGrowsWithinItsEnvelope)
 {
-    // So that neither object is predicted anew, and the pair stays the same.
+    // With this deviation neither object gets a new prediction, and the pair stays the same.
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
         dPredictiveSpaceSetDeviation(space, role, 1, 0, 0);
     ball(REAL(1.8), REAL(1.8));
@@ -306,7 +305,8 @@ TEST_F(ShapeProximity, NoticesThatAGeomGrowsWithinItsEnvelope)
     EXPECT_EQ(pairs(), 1u);
 }
 
-// Until the next report a postponed pair was judged by its gap before: Validate took such a pair for a fault of the space.
+// Once, a postponed pair was tested by its old gap until the next report, and dPredictiveSpaceValidate() took this for a fault
+// of the space.
 TEST_F(ShapeProximity, IsValidWhenAGeomHasGrownSinceTheLastReport)
 {
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
@@ -349,7 +349,7 @@ TEST_F(ShapeProximity, ReportsPairsWithinAThousandthOfTheirSize)
     dGeomSetPosition(other, static_cast<dReal>(2.0015 * oblique), static_cast<dReal>(2.0015 * oblique), 0);
     EXPECT_EQ(pairs(), 1u);
     dGeomSetPosition(other, static_cast<dReal>(2.0025 * oblique), static_cast<dReal>(2.0025 * oblique), 0);
-    // A pair without a gap is looked at again after some reports.
+    // A pair without a gap is tested again after some reports.
     for (int i = 0; i < 20; ++i)
         pairs();
     EXPECT_EQ(pairs(), 0u);
@@ -428,11 +428,11 @@ TEST_F(ShapeProximity, NoticesOtherDataOfAMeshAlsoAfterTheSpaceWasCleaned)
     dGeomTriMeshDataDestroy(data);
 }
 
-// Far from the origin, each step is less than single precision can express; the pair has come to rest before, or is new.
+// Far from the origin, each step is below single precision; the pair has come to rest before, or is new.
 TEST_F(ShapeProximity, NoticesThatAGeomCreepsFarFromTheOrigin)
 {
     if (sizeof(dReal) < sizeof(double))
-        return; // ODE itself cannot tell the steps from no motion
+        return; // ODE itself cannot distinguish the steps from no motion
     int contacts = 0;
     for (const int ticks_at_rest : {0, 1, 2, 3, 8, 64, 100})
         for (const dReal step : {REAL(1e-3), REAL(2e-4)})

@@ -1,4 +1,4 @@
-// Questions by shape: dSpaceCollide2() of a space whose proximity is judged by shapes.
+// Queries with the shape test: dSpaceCollide2() of a space that uses it.
 
 #include <array>
 #include <atomic>
@@ -15,7 +15,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A sphere of some 40,000 triangles seen from within: more than are read for one question.
+// A sphere of some 40,000 triangles seen from inside: more than one query reads.
 Polyhedron dome(double radius)
 {
     constexpr unsigned rings = 100, segments = 200;
@@ -62,7 +62,6 @@ private:
     std::vector<std::unique_ptr<MeshArrays>> meshes_;
 };
 
-// A probe beside the space, which is destroyed with the test.
 class Probe
 {
 public:
@@ -102,7 +101,7 @@ TEST_F(ShapeQuery, ALargeRoomIsReadBySeveralQuestionsBesideAHand)
     EXPECT_LT(in_vain, 100) << "it is ready at some time";
     EXPECT_EQ(answers_at(ball, 0, REAL(4.5), 0), 1u);
     for (int tick = 0; tick < 3; ++tick)
-        collide(space); // nothing is near the room: its shape is not needed
+        collide(space); // nothing is near the room, so its shape is not needed
     EXPECT_EQ(answers_at(ball, 0, 0, 0), 0u) << "it is kept";
 }
 
@@ -110,7 +109,7 @@ TEST_F(ShapeQuery, AMemberThatIsAMeshAsksByItsShape)
 {
     const dGeomID octahedron = mesh(space, Polyhedron::octahedron());
     const dGeomID ball = dCreateSphere(space, REAL(0.3));
-    dGeomSetBody(octahedron, dBodyCreate(dWorldCreate())); // does not meet itself
+    dGeomSetBody(octahedron, dBodyCreate(dWorldCreate())); // keeps it from meeting itself
     dGeomSetPosition(ball, REAL(0.9), REAL(0.9), REAL(0.9));
     EXPECT_EQ(answers(octahedron), 0u) << "the boxes alone overlap";
     dGeomSetPosition(ball, REAL(0.4), REAL(0.4), REAL(0.4));
@@ -118,7 +117,7 @@ TEST_F(ShapeQuery, AMemberThatIsAMeshAsksByItsShape)
     dWorldDestroy(dBodyGetWorld(dGeomGetBody(octahedron)));
 }
 
-// A mesh outside of the space may be made of other data at the same place: nobody would tell.
+// A mesh outside the space may get other data in the same place without a notice.
 TEST_F(ShapeQuery, AMeshOfAnotherSpaceAsksByItsBox)
 {
     const dGeomID ball = dCreateSphere(space, REAL(0.3));
@@ -129,7 +128,7 @@ TEST_F(ShapeQuery, AMeshOfAnotherSpaceAsksByItsBox)
 
 TEST_F(ShapeQuery, ARayIsFollowedAlongItsLine)
 {
-    for (int i = 0; i < 40; ++i) // more than are asked one by one
+    for (int i = 0; i < 40; ++i) // more than are tested one by one
         dGeomSetPosition(dCreateBox(space, REAL(0.1), REAL(0.1), REAL(0.1)), i % 7, i / 7, 0);
     const Probe ray(dCreateRay(nullptr, 10));
     dGeomRaySet(ray, REAL(-0.5), REAL(-0.5), 0, 1, 1, 0);
@@ -138,7 +137,7 @@ TEST_F(ShapeQuery, ARayIsFollowedAlongItsLine)
     EXPECT_EQ(answers(ray), 0u) << "between them";
 }
 
-// A box whose matrix makes it narrow: ODE finds the ray's contact with it although the ray passes by its bounding box.
+// The matrix makes the box narrow: ODE finds the ray's contact with it, although the ray passes beside its bounding box.
 TEST_F(ShapeQuery, ARayIsNotFollowedAlongItsLineBesideWhatItTouchesOffTheLineAlsoAfterAnotherTest)
 {
     for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape})
@@ -147,7 +146,7 @@ TEST_F(ShapeQuery, ARayIsNotFollowedAlongItsLineBesideWhatItTouchesOffTheLineAls
         const dGeomID narrow = dCreateBox(space, 2, 2, 2);
         const dMatrix3 matrix = {REAL(0.5), 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
         dGeomSetRotation(narrow, matrix);
-        for (int i = 0; i < 40; ++i) // more than are asked one by one
+        for (int i = 0; i < 40; ++i) // more than are tested one by one
             dGeomSetPosition(dCreateBox(space, REAL(0.1), REAL(0.1), REAL(0.1)), 10 + i, 0, 0);
         collide(space);
         const Probe ray(dCreateRay(nullptr, REAL(4.8)));
@@ -161,7 +160,7 @@ TEST_F(ShapeQuery, ARayIsNotFollowedAlongItsLineBesideWhatItTouchesOffTheLineAls
     }
 }
 
-// Where an object is going to be is no place where it is.
+// An envelope shows where an object will be, not where it is.
 TEST_F(ShapeQuery, ARayThatMeetsAnEnvelopeAloneIsNotAnswered)
 {
     const dWorldID world = dWorldCreate();
@@ -192,7 +191,7 @@ TEST_F(ShapeQuery, NoticesDataThatWereChangedInPlace)
     dPredictiveSpaceGeomChanged(space, room);
     EXPECT_EQ(answers(ball), 1u) << "a wall has come";
     last_mesh().move_corners({0, REAL(-4.5), 0});
-    dGeomTriMeshSetData(room, last_mesh().id()); // ODE tells nobody
+    dGeomTriMeshSetData(room, last_mesh().id()); // without a notice
     EXPECT_EQ(answers(ball), 0u) << "it has gone";
     dGeomDestroy(room);
     EXPECT_EQ(answers(ball), 0u);
@@ -228,7 +227,7 @@ TEST_F(ShapeQuery, NoticesHeightsThatWereChangedInPlace)
     dGeomHeightfieldDataDestroy(data);
 }
 
-// By box, as in a simple space, other data of a geom that is neither the last added nor the last moved are seen by the next collide.
+// With the box test, as in a simple space, the next collide sees other data of a geom that was neither added nor moved last.
 TEST_F(ShapeQuery, NoticesOtherDataOfAnyMesh)
 {
     const Polyhedron small = Polyhedron::cube().changed(Eigen::Vector3d::Constant(0.1), {0, 0, 0});
@@ -249,7 +248,7 @@ TEST_F(ShapeQuery, NoticesOtherDataOfAnyMesh)
     dGeomDestroy(changed);
 }
 
-// While the room is being read, it is told of.
+// While the room is being read, it is reported.
 TEST_F(ShapeQuery, SeveralThreadsMayAsk)
 {
     mesh(space, dome(5));

@@ -1,4 +1,4 @@
-// By the shape test, a thin box that creeps along slivers: no tick's contact is missed.
+// A thin box that creeps along slivers under the shape test: no tick's contact is missed.
 
 #include <array>
 #include <iostream>
@@ -15,7 +15,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-// ODE computes the normals of slivers in single precision, so that it finds contacts across gaps.
+// ODE computes the normals of slivers in single precision, so it finds contacts across gaps.
 class ShapeSlivers : public OdeTest
 {
 protected:
@@ -30,7 +30,6 @@ protected:
         return Vector3d(x, y, between(-1, 1)).normalized();
     }
 
-    // Five vertices within 2 m by 3 mm.
     Polyhedron slivers()
     {
         constexpr double length = 2, width = 3e-3;
@@ -64,7 +63,6 @@ protected:
         return dCollide(one, other, 4, contacts.data(), sizeof contacts[0]) > 0;
     }
 
-    // The last place away from `from` where ODE finds a contact.
     static Vector3d last_contact(dGeomID box, dGeomID mesh, const Vector3d &from, const Vector3d &away)
     {
         double low = 0, high = 0.05;
@@ -77,7 +75,7 @@ protected:
         return from + low * away;
     }
 
-    // Any direction, or from one of the two sides.
+    // Any direction, or one from either side.
     Vector3d way_from(dGeomID mesh)
     {
         const dReal *R = dGeomGetRotation(mesh);
@@ -88,11 +86,11 @@ protected:
         return ((side < 0.66 ? -1 : 1) * Vector3d(R[2], R[6], R[10]) + tilt * any).normalized();
     }
 
-    // A nanometre per tick, back and forth across the last place with a contact.
+    // The box moves by a nanometre per tick, across the last place with a contact.
     void creep(dGeomID box, dGeomID mesh, const Vector3d &from, const Vector3d &away)
     {
         constexpr double step = 1e-9;
-        // So that the pair is judged by shape at once: new geoms would be swept.
+        // The pair is then tested by shape at once, whereas new geoms would be swept.
         dPredictiveSpaceGetEncounters(space_, box, nullptr, 0);
         for (int tick = -30; tick < 30; ++tick)
         {
@@ -104,7 +102,6 @@ protected:
         }
     }
 
-    // One pose of the box beside one mesh.
     void try_pose(unsigned seed)
     {
         random_.seed(seed);
@@ -126,7 +123,8 @@ protected:
     int contacts_ = 0, missed_ = 0, left_out_ = 0;
 };
 
-// Of 150,000 poses, 30 had contacts without a callback with the margin for ordinary triangles. Half of these, and others.
+// With the margin for ordinary triangles, 30 of 150,000 poses had contacts without a callback. These are half of them, and
+// others.
 TEST_F(ShapeSlivers, TouchNoThinBoxWithoutACallbackAtAnyNanometre)
 {
     for (unsigned seed : {17526u, 22272u, 25887u, 26856u, 29928u, 31063u, 45786u, 63869u, 67041u, 72783u, 112636u,
@@ -141,7 +139,7 @@ TEST_F(ShapeSlivers, TouchNoThinBoxWithoutACallbackAtAnyNanometre)
     EXPECT_GT(left_out_, 0);
 }
 
-// Corners on one line, or in one place: what is divided by the height of a triangle has no end, and no trap is sprung.
+// If corners are on one line or in one place, divisions by the height of a triangle have no finite result, but must not trap.
 TEST_F(ShapeSlivers, OfNoHeightAreJudgedByTheirBoxes)
 {
     Polyhedron flat;

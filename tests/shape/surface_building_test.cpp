@@ -1,4 +1,4 @@
-// When the surface of a mesh is built: as a whole where nobody waits for it, else in slices, or by dPredictiveSpacePrepare().
+// The surface of a mesh is built at once if no hand is in the scene, otherwise in slices, or by dPredictiveSpacePrepare().
 
 #include <memory>
 
@@ -38,7 +38,7 @@ protected:
     SurfaceBuilding() { dPredictiveSpaceSetProximity(space, dPredictiveProximityShape); }
     ~SurfaceBuilding() override { dSpaceDestroy(space); }
 
-    // Within the hull of the bowl, and within its box, but above the triangles.
+    // Within the hull of the bowl and within its box, but above the triangles.
     dGeomID ball_above()
     {
         const dGeomID ball = dCreateSphere(space, REAL(0.1));
@@ -46,7 +46,6 @@ protected:
         return ball;
     }
 
-    // Far away from the bowl.
     dGeomID hand() const
     {
         const dGeomID hand = dCreateSphere(space, REAL(0.1));
@@ -55,7 +54,7 @@ protected:
         return hand;
     }
 
-    // Each of them in another place, so that none is at rest.
+    // The ball is in another place each time, so that no pair rests.
     std::size_t pairs(dGeomID ball)
     {
         const dReal *place = dGeomGetPosition(ball);
@@ -66,7 +65,6 @@ protected:
         return count;
     }
 
-    // Ticks in which the pair of the ball is reported.
     int ticks_by_box(dGeomID ball, int ticks = 200)
     {
         int by_box = 0;
@@ -136,7 +134,7 @@ TEST_F(SurfaceBuilding, CanBePreparedWithinSpaces)
     dSpaceDestroy(top);
 }
 
-// Questions, too, wait for slices beside a hand alone.
+// Queries, too, wait for slices only if there is a hand.
 TEST_F(SurfaceBuilding, IsDoneForTheFirstQuestionWhereNobodyWaits)
 {
     dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
@@ -146,7 +144,7 @@ TEST_F(SurfaceBuilding, IsDoneForTheFirstQuestionWhereNobodyWaits)
     dGeomDestroy(ball);
 }
 
-// The slices of a mesh that is gone are not read any more.
+// The slices of a destroyed mesh must not be read.
 TEST_F(SurfaceBuilding, EndsWithTheGeomAndItsData)
 {
     hand();

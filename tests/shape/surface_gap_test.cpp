@@ -1,4 +1,4 @@
-// The gap to the triangles of a mesh: never more than the distance to any of them, also within the mesh's hull.
+// The gap to the triangles of a mesh is never above the distance to any of them, also within the mesh's hull.
 
 #include <array>
 #include <cmath>
@@ -18,11 +18,10 @@ namespace
 {
 constexpr std::size_t all_at_once = 1000000;
 
-// Triangles with the arrays of a program, at a place of their own.
 class Ground
 {
 public:
-    // A bowl, a piece of rough ground, or a few triangles anywhere. With sides from 0.1 to 2.
+    // A bowl, a piece of rough ground, or scattered triangles, with sides from 0.1 to 2.
     Ground(ShapeMaker &maker, int side)
     {
         const Vector3 size = Vector3(maker.between(0.1, 2), maker.between(0.1, 2), maker.between(0.1, 2));
@@ -41,7 +40,6 @@ public:
                     triangles_.push_back(triangle);
     }
 
-    // Its tree is ready.
     ConvexShape shape() const
     {
         const auto tree = std::make_shared<TriangleTree>(arrays());
@@ -120,7 +118,7 @@ TEST(SurfaceGap, IsNeverMoreThanTheDistance)
     EXPECT_GT(close, gaps * 9 / 10) << "of " << gaps;
 }
 
-// A ball within the hull of a bowl.
+// The ball is near the ground, often within its hull.
 TEST(SurfaceGap, OfASphereIsItsDistance)
 {
     ShapeMaker maker(3);
@@ -135,7 +133,7 @@ TEST(SurfaceGap, OfASphereIsItsDistance)
         EXPECT_LE(gap, std::max(distance, 1e-6));
         if (distance < 0.01)
             continue;
-        const bool is_far = distance > sphere.radius; // then less will do
+        const bool is_far = distance > sphere.radius; // then a smaller gap is enough
         EXPECT_GE(gap, is_far ? 0.8 * (distance + sphere.radius) - sphere.radius - 1e-3
                               : distance - 1e-4 * (distance + sphere.radius));
     }

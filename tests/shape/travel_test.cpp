@@ -1,4 +1,4 @@
-// A pair is postponed until its gap may have closed: until then its shapes are apart, however they move and turn.
+// A pair is postponed until its gap may have closed: until then its shapes are apart in spite of all motion and turning.
 
 #include <limits>
 
@@ -99,7 +99,7 @@ TEST(Travel, MovesNoPointFartherThanItSays)
     }
 }
 
-// The travel of the capsule alone is too small when it turns: a contact could be missed.
+// The travel of the capsule itself would be too small when it turns: a contact could be missed.
 TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
 {
     ShapeMaker maker(1);

@@ -10,10 +10,10 @@ namespace
 using namespace worlds;
 
 constexpr std::size_t transients = 16;
-constexpr std::uint32_t first_transient = 1u << 31; // their numbers; those of the scene are below
+constexpr std::uint32_t first_transient = 1u << 31; // numbers of transients; those of the scene are below
 constexpr int ticks_between_changes = 5;
 constexpr int longest_absence = 50;    // ticks
-constexpr int ticks_per_circle = 1000; // of a transient that moves
+constexpr int ticks_per_circle = 1000; // for a transient that moves
 constexpr double largest_circle = 0.5; // metres
 constexpr double smallest_size = 0.02; // metres
 constexpr double largest_size = 0.2;   // metres
@@ -25,7 +25,7 @@ std::string text_of(const char *what, const IndexPair &pair)
     return text.str();
 }
 
-/// The pairs that are in one list only, as text. By shapes, an overlapping pair without contacts may be left out.
+/// The pairs that are in one list only, as text. With the shape test, an overlapping pair without contacts may be left out.
 std::string differences(const std::vector<GeomPair> &expected, const std::vector<IndexPair> &reported, bool by_shapes)
 {
     std::string text;
@@ -96,7 +96,7 @@ void ChurnedScene::tick()
     respond();
 }
 
-// Geoms of the scene that are out of the space are destroyed with the others.
+// Geoms of the scene that are outside the space are destroyed with the others.
 void ChurnedScene::renew_scene()
 {
     absent_.erase(
@@ -142,7 +142,7 @@ void ChurnedScene::place(const Transient &transient) const
                  transient.home + transient.radius * Vector3(std::cos(angle), std::sin(angle), std::sin(2 * angle)));
 }
 
-// A geom of a scene with contacts must not miss a tick: the floor would be missing.
+// In a scene with contacts no geom may miss a tick: the floor could be missing.
 void ChurnedScene::change()
 {
     switch (random_.index(6))
@@ -182,7 +182,7 @@ void ChurnedScene::leave(bool is_transient, bool for_long)
     }
 }
 
-// Its number may meanwhile be that of another transient, which is in the space.
+// Its number may now be that of another transient, which is in the space.
 void ChurnedScene::return_due()
 {
     const auto is_due = [this](const Absent &absent) { return absent.return_tick <= tick_; };

@@ -1,4 +1,4 @@
-// A scene in one predictive space that lives on while geoms come, go and change their size.
+// A scene in one predictive space that continues while geoms come, go and change their size.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
@@ -13,16 +13,16 @@
 
 namespace ode_predictive_space::soak
 {
-/// Beside the geoms of the scene there are transients: spheres, boxes and capsules of the test's own, half of which move along
-/// circles. Every few ticks one of these happens, chosen at random: a geom of the scene or a transient leaves the space and
-/// returns, at once or some ticks later; a transient is destroyed and another one made; a transient gets another size. The
-/// scene does not see the transients.
+/// Beside the geoms of the scene there are transients: spheres, boxes and capsules of the test, half of which move along
+/// circles. Every few ticks there is a random change: a geom of the scene or a transient leaves the space and returns, at once
+/// or some ticks later; a transient is destroyed and another one made; a transient gets another size. The scene does not see
+/// the transients.
 class ChurnedScene
 {
 public:
-    /// @param ticks_per_copy after so many ticks the scene is destroyed and made anew, in the same space; 0: never. For scenes
-    ///        that do not stay as they begin (a pile settles further, an explosion drives all objects to the walls), or that
-    ///        keep all numbers or all reaches of a hand that there ever were.
+    /// @param ticks_per_copy number of ticks after which the scene is destroyed and made again in the same space; 0: never. It
+    /// is for scenes that do not stay as they begin (a pile settles further, an explosion drives all objects to the walls), or
+    /// that keep all numbers or all reaches of a hand.
     ChurnedScene(const worlds::WorldSpec &spec, worlds::SpaceKind kind, int ticks_per_copy);
     ~ChurnedScene();
     ChurnedScene(const ChurnedScene &) = delete;
@@ -31,14 +31,13 @@ public:
     /// Motion, changes, dSpaceCollide(), dSpaceCollide2() for each query of the scene, contacts.
     void tick();
 
-    /// Compare what the last tick reported with what it must have reported.
+    /// Compares the report of the last tick with the oracle.
     ///
-    /// @return "" when it is right, else what is wrong.
+    /// @return what is wrong, or an empty text.
     std::string wrong_pairs() const;
 
     dSpaceID space() const { return space_.get(); }
 
-    /// What dSpaceCollide() reported in the last tick, sorted.
     const std::vector<worlds::IndexPair> &pairs() const { return pairs_; }
 
 private:
@@ -46,7 +45,7 @@ private:
     {
         dGeomID geom;
         worlds::Vector3 home;
-        double radius; ///< of its circle; 0 when it does not move
+        double radius; ///< radius of its circle; 0: it does not move
     };
     struct Absent
     {
@@ -71,7 +70,7 @@ private:
     std::vector<dGeomID> geoms_inside() const;
 
     worlds::WorldFactory factory_;
-    worlds::OwnedSpace space_; // before what is in it
+    worlds::OwnedSpace space_; // outlives its content
     std::unique_ptr<worlds::World> scene_;
     int ticks_per_copy_;
     bool by_shapes_;
@@ -79,8 +78,8 @@ private:
     std::vector<Transient> transients_;
     std::vector<Absent> absent_;
     worlds::PairList list_;
-    std::vector<worlds::IndexPair> pairs_;   ///< see pairs()
-    std::vector<worlds::IndexPair> answers_; ///< of dSpaceCollide2(), sorted
+    std::vector<worlds::IndexPair> pairs_;
+    std::vector<worlds::IndexPair> answers_; ///< pairs of dSpaceCollide2(), sorted
     int tick_ = 0;
 };
 } // namespace ode_predictive_space::soak

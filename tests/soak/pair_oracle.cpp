@@ -9,7 +9,6 @@ namespace
 {
 using worlds::IndexPair;
 
-/// What decides on a geom's pairs.
 struct Record
 {
     explicit Record(dGeomID the_geom)

@@ -1,4 +1,4 @@
-// The pairs that a space must report, by comparing each geom with each other one.
+// The pairs that a space must report, by comparing all geoms with each other.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SOAK_PAIR_ORACLE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SOAK_PAIR_ORACLE_H
@@ -14,13 +14,13 @@ struct GeomPair
     dGeomID first, second;
 };
 
-/// The pairs of geoms for which dSpaceCollide() must call the callback: bounding boxes that overlap, bits that match, not the same
-/// body. In ascending order of their numbers.
+/// The pairs of geoms for which dSpaceCollide() must call the callback: bounding boxes overlap, bits match, bodies differ. In
+/// ascending order of their numbers.
 ///
-/// @param geoms those in the space, each with a number of its own.
+/// @param geoms those in the space, with different numbers.
 std::vector<GeomPair> overlapping_pairs(const std::vector<dGeomID> &geoms);
 
-/// The same for dSpaceCollide2() of each query with the space.
+/// As above, for dSpaceCollide2() of each query with the space.
 std::vector<GeomPair> pairs_of_queries(const std::vector<dGeomID> &queries, const std::vector<dGeomID> &geoms);
 } // namespace ode_predictive_space::soak
 

@@ -1,4 +1,4 @@
-// Each scene for long, while geoms come, go and change their size: pairs stay right, memory and work stay as they are.
+// Long runs of each scene, while geoms come, go and change their size: pairs stay right, memory and work stay constant.
 
 #include "tests/soak/churned_scene.h"
 
@@ -54,7 +54,6 @@ Memory memory_now()
     return {heap.uordblks + heap.hblkhd, resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE))};
 }
 
-/// What a space has done since it was made.
 struct Work
 {
     struct Counter
@@ -80,7 +79,6 @@ Work work_of(dSpaceID space)
               {"looks", count(more.looks)}}}};
 }
 
-/// A quarter of a run.
 struct Quarter
 {
     Memory most;
@@ -103,7 +101,7 @@ void sample(Quarter &quarter, const ChurnedScene &scene)
     quarter.waiting += static_cast<double>(stats.scheduled);
 }
 
-/// The oracle compares each geom with each other one: for many geoms more rarely.
+/// The oracle compares all pairs of geoms, so with many geoms it is used more rarely.
 int ticks_per_comparison(const Case &one)
 {
     return one.objects < 1000 ? 97 : 997;
@@ -151,7 +149,7 @@ void Soak::run_quarter(ChurnedScene &scene, Quarter &quarter, int first_tick)
     quarter.end = work_of(scene.space());
 }
 
-// The near set breathes with the motion, and so do the tables that are as large as the largest need so far.
+// The near set varies with the motion, and so do the tables, which are as large as the largest need so far.
 constexpr double most_growth_of_heap = 1.02;
 constexpr std::size_t allowed_heap = 64 * 1024;
 constexpr std::size_t allowed_resident = 512 * 1024;
@@ -165,7 +163,7 @@ void expect_flat_memory(const Quarters &quarters)
 }
 
 constexpr double most_growth_of_work = 1.1;
-constexpr double allowed_events = 200; // what is rare comes at random
+constexpr double allowed_events = 200; // rare events are random
 
 void expect_same_work(const char *what, double early, double late)
 {
@@ -185,7 +183,6 @@ void expect_same_work(const Quarters &quarters)
     expect_same_work("near, not reported", quarters[1].unreported, quarters[3].unreported);
 }
 
-/// For the XML file of a run.
 void record(const Quarters &quarters)
 {
     const Memory early = quarters[1].most, late = quarters[3].most;

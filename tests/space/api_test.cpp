@@ -351,17 +351,17 @@ TEST_F(PredictiveSpace, CountersAreWrittenUpToTheSizeOfTheProgram)
     const auto as_counters = reinterpret_cast<dPredictiveSpaceCounters *>(counters);
     dPredictiveSpaceGetCounters(space, as_counters, 0);
     EXPECT_EQ(counters[0], 7u);
-    dPredictiveSpaceGetCounters(space, as_counters, sizeof counters); // of a newer program than the library
+    dPredictiveSpaceGetCounters(space, as_counters, sizeof counters); // for a program newer than the library
     for (const unsigned long counter : counters)
         EXPECT_EQ(counter, 0u);
 }
 
 TEST_F(PredictiveSpace, CalmMotionIsPredictedNotRepeated)
 {
-    // What the method is for: geoms that go straight are predicted seldom, and far pairs are left asleep.
+    // Geoms on straight paths are seldom predicted, and far pairs are not tested: this is the purpose of the method.
     for (int i = 0; i < 100; ++i)
         scene.body(scene.sphere(0.1, 3 * (i % 10), 3 * (i / 10), 0), 0.01 * (i % 7 - 3), 0.01 * (i % 5 - 2), 0);
-    constexpr unsigned resting = 3; // whose velocity is zero: ODE reports them, too
+    constexpr unsigned resting = 3; // with a velocity of zero: ODE reports them, too
     run(100);
     const dPredictiveSpaceStats before = stats();
     const unsigned long unchanged_before = counters().unchanged;

@@ -1,4 +1,4 @@
-// Bad arguments: an ODE message that names the call and the argument, and nothing changed.
+// Bad arguments cause an ODE message that names the call and the argument, and change nothing.
 
 #include <limits>
 
@@ -13,7 +13,7 @@ namespace
 constexpr dReal nan_value = std::numeric_limits<dReal>::quiet_NaN();
 constexpr dReal infinite = std::numeric_limits<dReal>::infinity();
 
-// All that can be set, to see that a refused call leaves it as it was.
+// All settings, to see that a refused call leaves them as they were.
 struct Settings
 {
     int proximity;
@@ -184,7 +184,7 @@ TEST_F(BadInput, RoomForResults)
                    [&] { dPredictiveSpaceGetCounters(space, nullptr, sizeof(dPredictiveSpaceCounters)); });
     EXPECT_EQ(encounter.geom, foreign_geom);
     EXPECT_EQ(encounter.ticks, 12345);
-    // No room asked for is no error; neither is a result that is not wanted.
+    // A request for no results is no error, nor is a result that is not requested.
     EXPECT_EQ(dPredictiveSpaceGetEncounters(space, geom, nullptr, 0), 0);
     dPredictiveSpaceGetHorizon(space, nullptr, nullptr);
     dPredictiveSpaceGetDeviation(space, dPredictiveRoleInteractive, nullptr, nullptr, nullptr);

@@ -1,4 +1,4 @@
-// What is asked when most geoms have just left their envelopes, so that all were swept and there is no tree.
+// Queries when most geoms have just left their envelopes, so that all were swept and there is no tree.
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A thousand balls that drift, far apart, and two beside them that will meet.
+// A thousand drifting balls, far apart, and two beside them that will meet.
 class Explosion : public OdeTest
 {
 protected:
@@ -40,7 +40,6 @@ protected:
         }
     }
 
-    // Most geoms are somewhere else, far apart again.
     void explode()
     {
         for (dBodyID body : bodies)
@@ -80,7 +79,7 @@ protected:
 
 TEST_F(Explosion, HidesNoEncounterOfThoseThatKeepTheirPaths)
 {
-    dPredictiveSpaceGetEncounters(space, left, nullptr, 0); // their motion is learnt from now on
+    dPredictiveSpaceGetEncounters(space, left, nullptr, 0); // starts the sampling of their motion
     run(1);
     explode();
     dReal ticks = 0;

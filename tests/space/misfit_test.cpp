@@ -1,7 +1,7 @@
-// An ODE that the plugin was not built for: refused with a message that says why.
+// An ODE that the plugin was not built for is refused with a message that gives the reason.
 //
-// Compiled three times, each time with one thing about ODE replaced; what a program defines itself comes before what a
-// library does. One test to a program, because the plugin looks at its ODE only once.
+// The file is compiled three times, each time with one property of ODE replaced; definitions of a program come before those of
+// a library. Each program has one test, because the plugin checks its ODE only once.
 
 #include <dlfcn.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/contract/support/ode_test.h"
 
-// The test's own name, so that the three have different ones.
+// The three programs have tests with different names.
 #if defined(MISFIT_PRECISION)
 #define MISFIT_CASE PrecisionIsRefused
 extern "C" __attribute__((visibility("default"))) int dCheckConfiguration(const char *)
@@ -18,7 +18,7 @@ extern "C" __attribute__((visibility("default"))) int dCheckConfiguration(const 
 }
 #elif defined(MISFIT_LAYOUT)
 #define MISFIT_CASE LayoutIsRefused
-// As if the category bits were kept elsewhere in a geom.
+// The category bits seem to be in another place of a geom.
 extern "C" __attribute__((visibility("default"))) void dGeomSetCategoryBits(dGeomID geom, unsigned long bits)
 {
     dGeomSetCollideBits(geom, bits);

@@ -1,3 +1,3 @@
-/* All that tells a second copy of ODE: one more definition of its functions in the process. */
+/* A second copy of ODE is recognised only by another definition of its functions in the process. */
 
 __attribute__((visibility("default"))) void dSpaceGetNumGeoms(void) {}

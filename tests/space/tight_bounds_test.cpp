@@ -1,4 +1,4 @@
-// Which objects are told apart by their bounding boxes, which are tighter than the boxes around their spheres?
+// Objects that are tested by their bounding boxes, which are tighter than the boxes around their spheres.
 
 #include <ode_predictive_space/predictive_space.h>
 
@@ -9,8 +9,8 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Rods side by side that drift together, so slowly that they stay near each other: the spheres around them overlap, their
-// boxes do not.
+// Rods side by side that drift together, so slowly that they stay near each other: the spheres around them overlap, but not
+// their boxes.
 class Rods : public OdeTest
 {
 protected:
@@ -51,7 +51,7 @@ TEST_F(Rods, ThatTurnAreToldApartByTheirBoxesToo)
     EXPECT_LT(near_pairs_when_spinning(5), rods / 4u);
 }
 
-// Of a mesh no sphere is known. Its tight bounds would last some ticks only.
+// A mesh has no known sphere, and its tight bounds would last for only some ticks.
 TEST(Meshes, ThatTurnArePredictedForLong)
 {
     constexpr int meshes = 10, ticks = 1000;

@@ -1,4 +1,4 @@
-// What dPredictiveSpaceValidate() says of a geom that was changed behind the space's back.
+// dPredictiveSpaceValidate() for a geom that was changed behind the space's back.
 
 #include <cstdio>
 
@@ -23,9 +23,9 @@ protected:
     {
         dGeomSetPosition(second, 1.9, 0, 0);
         dGeomSetPosition(apart, 10, 0, 0);
-        // Predictions are made at once.
+        // The space then predicts at once.
         dPredictiveSpaceGetEncounters(space, first, nullptr, 0);
-        // As many as it takes for the pair to rest.
+        // After these ticks the pair rests.
         for (int i = 0; i < 100; ++i)
             EXPECT_EQ(collide(space).size(), 1u);
         EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
@@ -75,7 +75,7 @@ TEST_F(Validate, NamesBothGeomsOfAPairThatIsWrong)
     EXPECT_EQ(complaint(), "");
 }
 
-// ODE does not report that a geom is enabled. The pair used to be missing until the next dSpaceCollide().
+// ODE does not report that a geom is enabled. Once, the pair was missing until the next dSpaceCollide().
 TEST_F(Validate, HoldsWhenAGeomHasJustBeenEnabled)
 {
     dGeomDisable(first);

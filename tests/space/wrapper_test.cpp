@@ -1,4 +1,4 @@
-// The C++ wrapper: a space in the manner of odecpp's.
+// The C++ wrapper: a space like those of odecpp.
 
 #include <type_traits>
 

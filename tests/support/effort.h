@@ -1,11 +1,11 @@
-// How much of a randomised test is run.
+// The share of a randomised test that is run.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_EFFORT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_EFFORT_H
 
 namespace ode_predictive_space
 {
-// GCC defines macros, Clang has a question.
+// GCC defines macros; Clang has __has_feature().
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 constexpr bool is_sanitized = true;
@@ -18,7 +18,7 @@ constexpr bool is_sanitized = true;
 constexpr bool is_sanitized = false;
 #endif
 
-/// Of so many random cases; a sanitizer, which makes them up to thirty times as slow, sees an eighth.
+/// The number of random cases to run: an eighth with a sanitizer, which makes them up to thirty times as slow.
 constexpr int of_cases(int cases)
 {
     return is_sanitized ? cases / 8 : cases;

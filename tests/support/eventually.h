@@ -1,5 +1,4 @@
-// Waiting for what another thread does. How long that takes on a busy machine is not known: the bound only ends a test that waits
-// for what never comes.
+// Waits for another thread, which may take any time on a busy machine: the bound only ends a test that would wait for ever.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_EVENTUALLY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_EVENTUALLY_H
@@ -9,7 +8,7 @@
 
 namespace ode_predictive_space
 {
-/// @return whether the condition came true, within two minutes.
+/// @return whether the condition became true within two minutes.
 template <typename Condition> bool eventually(Condition condition)
 {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);

@@ -1,4 +1,4 @@
-// A program run as a user runs it: its exit status and what it says.
+// Runs a program as a user does, and keeps its exit status and its output.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_PROGRAM_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_PROGRAM_H
@@ -11,7 +11,7 @@ namespace ode_predictive_space
 {
 struct Outcome
 {
-    int status = -1;    ///< exit status; -1 when it did not start, or was ended by a signal
+    int status = -1;    ///< exit status; -1 if it did not start or a signal ended it
     std::string output; ///< standard output and standard error
 };
 

@@ -1,13 +1,13 @@
-"""What a program got for its collides, compared with a replay of them."""
+"""The pairs that a program got for its collides, compared with a replay of them."""
 import re
 import subprocess
 
 
 def compared(tool, recording):
-    """Replays a recording in simple spaces, which look at all pairs, and in predictive ones.
+    """Replays a recording in simple spaces, which check all pairs, and in predictive ones.
 
-    Returns the number of events, of those in which the program got other pairs than simple spaces find, and what was said.
-    Raises RuntimeError when predictive spaces find other pairs than simple ones in the replay, or when there is no recording.
+    Returns the number of events, of those in which the program got other pairs than simple spaces find, and the output.
+    Raises RuntimeError if predictive spaces find other pairs than simple ones in the replay, or if there is no recording.
     """
     done = subprocess.run([tool, "replay", "--pairs", "--space", "box", recording], capture_output=True, text=True, check=False)
     if done.returncode != 0:

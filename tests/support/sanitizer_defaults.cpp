@@ -1,36 +1,38 @@
-// What the sanitizers are to overlook in ODE and in the system. They call these functions when a test program begins.
+// Errors in ODE and in the system that the sanitizers must ignore. They call these functions when a test program begins.
 
 #define ODE_PREDICTIVE_SPACE_SEEN [[gnu::visibility("default"), gnu::used]]
 
 extern "C" {
 ODE_PREDICTIVE_SPACE_SEEN const char *__asan_default_options()
 {
-    // ODE frees with operator delete what it has from malloc().
+    // ODE frees memory from malloc() with operator delete.
     return "alloc_dealloc_mismatch=0";
 }
 
 ODE_PREDICTIVE_SPACE_SEEN const char *__lsan_default_suppressions()
 {
     return ""
-           // ODE forgets the position record of a geom with an offset when dGeomSetBody moves it from one body to another. Where that
-           // record was made depends on what was free. Geoms and bodies that a test leaves behind are still found.
+           // ODE loses the position record of a geom with an offset when dGeomSetBody moves it from one body to another. The
+           // function that made the record depends on the free memory. Geoms and bodies that a test leaves behind are still
+           // found.
            "leak:^dGeomCreateOffset\n"
            "leak:^dxGeom::dxGeom\n"
            "leak:^dGeomSetBody\n"
-           // What the hash space allocates for a collide is lost when an exception of the near callback passes through it.
+           // The hash space's memory for a collide is lost when an exception of the near callback passes through it.
            "leak:dxHashSpace::collide\n";
 }
 
 ODE_PREDICTIVE_SPACE_SEEN const char *__tsan_default_suppressions()
 {
     return ""
-           // ODE is not built with ThreadSanitizer. Its locks are seen, its atomic operations are not, and what they order looks like
-           // a race:
-           // - dGeomSetBody hands freed memory to the constructors of geoms in other threads;
+           // ODE is not built with ThreadSanitizer, which sees its locks but not its atomic operations. Accesses that these
+           // order look like races:
+           // - dGeomSetBody passes freed memory to the constructors of geoms in other threads;
            "race:^dGeomSetBody$\n"
-           // - the end of a step: what worker threads told of moved geoms during the step, the caller reads after it.
+           // - after a step, the caller reads the notices of moved geoms that worker threads sent during it.
            "race:^dGeomMoved$\n"
-           // Nor is the dynamic linker. Its locks are not seen, and what they order looks like a race:
+           // The dynamic linker is not built with it, either. Its locks are not seen, and accesses that they order look like
+           // races:
            // - an object's description, made by one thread and freed by another;
            "race:^_dl_close_worker$\n"
            // - an object's name, made by one thread and read by another that goes through all objects.

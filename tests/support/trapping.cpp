@@ -1,5 +1,5 @@
-// Linked into a test program, lets it trap invalid operations and divisions by zero, as robotics and game programs do. A test in
-// which a library of the project does one fails, and names the place in the library. ODE and all others may do them.
+// Makes a test program trap invalid operations and divisions by zero, as robotics and game programs do. If a library of the
+// project makes one, the test fails and names the place in the library. ODE and all other libraries may make them.
 
 #include <algorithm>
 #include <atomic>
@@ -21,7 +21,7 @@ namespace
 constexpr unsigned trapped = _MM_MASK_INVALID | _MM_MASK_DIV_ZERO;
 constexpr greg_t single_step = 0x100;
 
-// Where the project's libraries are. None has more than a few segments of code.
+// Addresses of the project's libraries. None has more than a few segments of code.
 struct Code
 {
     std::uintptr_t begin, end, base;
@@ -41,7 +41,6 @@ int add_if_ours(dl_phdr_info *object, std::size_t, void *)
     return 0;
 }
 
-// Places in the code, each once.
 constexpr int most_noted = 16;
 std::atomic<int> noted{0};
 std::atomic<std::uintptr_t> noted_places[most_noted];
@@ -59,7 +58,7 @@ void note_if_ours(std::uintptr_t place)
             noted_places[index] = place;
 }
 
-// Goes on behind the instruction, after which on_step() traps again.
+// Continues behind the instruction, after which on_step() traps again.
 void on_exception(int, siginfo_t *, void *context)
 {
     auto &machine = static_cast<ucontext_t *>(context)->uc_mcontext;
@@ -92,7 +91,7 @@ std::string text_of_noted()
     return text.str();
 }
 
-// Give the space numbers that are not finite. What comes of them is no number either.
+// These tests give the space numbers that are not finite, so results are not finite, either.
 const std::set<std::string> not_finite = {"Contract.13_GeomsGoToExtremesAndComeBack",
                                           "Contract.13_BodiesGoToExtremesAndComeBack",
                                           "Contract.13_ExtremeVelocities",
@@ -113,7 +112,7 @@ class Trapping : public ::testing::EmptyTestEventListener
     {
         noted = 0;
         if (not_finite.count(std::string(test.test_suite_name()) + "." + test.name()) == 0)
-            _mm_setcsr(_mm_getcsr() & ~trapped); // threads that the test starts have it from this one
+            _mm_setcsr(_mm_getcsr() & ~trapped); // threads that the test starts inherit this
     }
 
     // A failure that is added here still counts for the test.

@@ -1,4 +1,4 @@
-// Grids of heights at random: every cell that is near a box is found, also where the grid repeats.
+// Random grids of heights: every cell that is near a box is found, also where the grid repeats.
 
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ namespace
 {
 using Box = Eigen::AlignedBox3d;
 using Place =
-    std::tuple<int, int>; // of a cell, columns and rows from the first sample; outside of the grid where it repeats
+    std::tuple<int, int>; // columns and rows of a cell from the first sample; outside of the grid where it repeats
 
 class HeightGrids : public testing::Test
 {
@@ -133,7 +133,7 @@ TEST_F(HeightGrids, WalkEndsWhenAsked)
     EXPECT_EQ(visits, 3);
 }
 
-// A program's function may be slow, so samples count more than what is done with them.
+// A program's function may be slow, so the cost of building is counted in samples.
 TEST_F(HeightGrids, AreBuiltInSlices)
 {
     int samples = 0;

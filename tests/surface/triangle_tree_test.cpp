@@ -1,4 +1,4 @@
-// Trees of triangles of meshes at random: every triangle that is near a point is found, also where triangles coincide.
+// Trees of random triangles: every triangle that is near a point is found, also if triangles coincide.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// The arrays of a program.
 class Mesh
 {
 public:
@@ -72,7 +71,7 @@ protected:
         return found;
     }
 
-    // @param next makes a triangle, given how many there are.
+    // @param next makes a triangle, given the number of those before it.
     void expect_all_near_found(int triangles, const std::function<TriangleCorners(int)> &next)
     {
         Mesh mesh;
@@ -85,7 +84,7 @@ protected:
         expect_near_found(tree, all);
     }
 
-    // @param held numbers of the triangles that the tree has.
+    // @param held numbers of the triangles in the tree.
     void expect_near_found(TriangleTree &tree, const std::set<std::uint32_t> &held)
     {
         tree.build(all_at_once);
@@ -126,14 +125,14 @@ TEST_F(TriangleTrees, FindAllThatAreNearInASoup)
         });
 }
 
-// No plane divides these.
+// No plane divides coinciding triangles.
 TEST_F(TriangleTrees, FindAllThatAreNearWhereTrianglesCoincide)
 {
     const TriangleCorners same = {vector(), vector(), vector()};
     expect_all_near_found(1000, [&](int) { return same; });
 }
 
-// The middle of the extent leaves nearly all on one side.
+// The middle of the extent leaves nearly all triangles on one side.
 TEST_F(TriangleTrees, FindAllThatAreNearWhereTrianglesCrowd)
 {
     expect_all_near_found(1000, [this](int i) -> TriangleCorners {
@@ -142,7 +141,7 @@ TEST_F(TriangleTrees, FindAllThatAreNearWhereTrianglesCrowd)
     });
 }
 
-// Those that are left out are not even looked at.
+// Triangles that are left out are not even read.
 TEST_F(TriangleTrees, FindAllThatAreNearAmongThoseThatTheyHold)
 {
     Mesh mesh;
@@ -214,7 +213,7 @@ TEST_F(TriangleTrees, HaveChildrenBehindTheirParentsAndInTheirBoxes)
     EXPECT_EQ(std::count(parents.begin(), parents.end(), 1), std::ptrdiff_t(parents.size()) - 1);
 }
 
-// What is above a node that is entered is entered, too.
+// All nodes above an entered node are entered, too.
 TEST_F(TriangleTrees, VisitTheTrianglesOfEnteredNodesInOneOrder)
 {
     const Mesh mesh = soup(1000, 0.1);

@@ -35,7 +35,7 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             movers_.emplace_back(random_, world_, space_, step_);
         asked_.resize(count, -1);
-        // It moves at each tick, so that time passes; the others make the space predict before it is asked.
+        // The marker moves at each tick, so that time passes; the others make the space predict before the first query.
         marker_ = dCreateSphere(space_, 1);
         for (int i = random_.chance(0.5) ? 0 : 20; i > 0; --i)
             dGeomSetPosition(dCreateSphere(space_, 1), 5000, 5.0 * i, 0);
@@ -100,7 +100,7 @@ private:
                          questions_.end());
     }
 
-    // Ticks at which the space could see the motion since it was first asked about the geom, or since it changed.
+    // Number of ticks with samples of the motion since the first query about the geom, or since its last change.
     int samples(std::size_t mover)
     {
         if (asked_[mover] < 0)
@@ -130,7 +130,7 @@ private:
         questions_.push_back({one, other, tick_, meets, ticks, seen >= needed});
     }
 
-    // The list and the single answer agree.
+    // The list and the single answer must agree.
     void ask_for_encounters(std::size_t one, std::size_t other)
     {
         std::array<dPredictiveEncounter, 8> list;
@@ -208,7 +208,7 @@ private:
     dSpaceID space_ = dPredictiveSpaceCreate(nullptr);
     dGeomID marker_;
     std::vector<Mover> movers_;
-    std::vector<int> asked_; // the tick at which each is seen first, or -1
+    std::vector<int> asked_; // the tick of the first sample of each, or -1
     std::vector<Question> questions_;
     std::vector<std::pair<dGeomID, dGeomID>> met_;
     int first_question_, tick_ = 0;

@@ -84,7 +84,7 @@ void Mover::choose_motion(Random &random)
     age_ = 0;
 }
 
-// As ODE steps a body: with the velocity at the end of the step.
+// ODE moves a body with the velocity at the end of the step.
 Vector3 Mover::travel(double ticks) const
 {
     if (driver_ == Driver::body)

@@ -1,4 +1,4 @@
-// A geom on a motion of constant turning whose position is, per tick, a polynomial of second degree.
+// A geom that turns constantly, and whose position is a polynomial of second degree in ticks.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_TIMES_MOVER_H
 #define ODE_PREDICTIVE_SPACE_TESTS_TIMES_MOVER_H
@@ -10,7 +10,6 @@
 
 namespace ode_predictive_space
 {
-/// Who moves a geom.
 enum class Driver
 {
     setters, ///< the program, by dGeomSetPosition() and dGeomSetRotation()
@@ -22,17 +21,15 @@ enum class Driver
 class Mover
 {
 public:
-    /// Places a geom in a space, at random: it comes near the origin some time later.
+    /// Places a geom in a space at random, so that it comes near the origin some time later.
     Mover(Random &random, dWorldID world, dSpaceID space, double step);
 
-    /// Before the world is stepped.
+    /// To be called before the world is stepped.
     void advance();
 
-    /// From where it is, another velocity and another spin.
     void change_motion(Random &random);
 
     dGeomID geom() const { return geom_; }
-    /// Ticks since the motion began.
     int age() const { return age_; }
 
 private:

@@ -1,4 +1,5 @@
-// When do two geoms meet, of which each moves on a parabola and turns constantly? The answers before the meeting are compared with it.
+// Times at which two geoms meet, each of which moves on a parabola and turns constantly. The answers before the meeting are
+// compared with it.
 
 #include <functional>
 #include <vector>
@@ -41,9 +42,9 @@ protected:
         return answer;
     }
 
-    // Moves, collides and asks until the two meet.
+    // Moves, collides and queries until the two meet.
     //
-    // @param from the tick of the first question.
+    // @param from the tick of the first query.
     // @return one answer for each tick from that one on.
     std::vector<Answer> answers_until_they_meet(dGeomID one, dGeomID other, int from,
                                                 const std::function<void(int)> &move)
@@ -63,7 +64,7 @@ protected:
         return {};
     }
 
-    // The first two answers say that nothing is known, later ones are not late, and of these the last ones are not much too early.
+    // The first two answers are unknown, later ones are not late, and the last of these are not much too early.
     //
     // @param early in ticks; turning counts as if it moved the farthest corner straight on.
     static void expect_honest(const std::vector<Answer> &answers, dReal part = REAL(0.7), dReal early = 9)
@@ -103,7 +104,7 @@ TEST_F(Times, OfAGeomThatTheProgramMovesAreNeverLate)
         }
 }
 
-// Nothing of it comes nearer but by turning.
+// Only turning brings the box nearer.
 TEST_F(Times, OfABoxThatTheProgramTurnsAreNeverLate)
 {
     fill(20);
@@ -137,7 +138,7 @@ TEST_F(Times, OfAGeomOnASpinningBodyAreNeverLate)
         }
 }
 
-// Slowly enough for the first tick's turning to be less than any slack.
+// The turning of the first tick is less than any slack.
 TEST_F(Times, CountAllTurningUntilTheMeeting)
 {
     fill(20);
@@ -211,7 +212,7 @@ TEST_F(Times, OfGeomsThatRestAreKnownFromTheThirdTickOn)
     EXPECT_EQ(ask(one, other), not_known);
 }
 
-// No time passes then.
+// Without motion no time passes.
 TEST_F(Times, AreKnownWhenNothingMoves)
 {
     const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 5, 0, 0);
@@ -222,7 +223,7 @@ TEST_F(Times, AreKnownWhenNothingMoves)
     EXPECT_EQ(ask(one, other), (Answer{0, dInfinity}));
 }
 
-// Between the step and the collide, the geoms are where the next tick will find them.
+// Between the step and the collide, the geoms are already in the places of the next tick.
 TEST_F(Times, AreTheSameWhetherAskedBeforeOrAfterTheCollide)
 {
     const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0);
@@ -244,7 +245,7 @@ TEST_F(Times, AreTheSameWhetherAskedBeforeOrAfterTheCollide)
     EXPECT_GT(known, 190);
 }
 
-// A row of questions counts as a tick, but here a tick ends each row.
+// A series of queries counts as a tick, but here a tick ends each series.
 TEST_F(Times, CountTicksWhateverIsAskedWithinThem)
 {
     fill(60);
@@ -260,7 +261,7 @@ TEST_F(Times, CountTicksWhateverIsAskedWithinThem)
     dGeomDestroy(probe);
 }
 
-// The callback is called for what comes within the margin.
+// The callback is called for pairs within the margin.
 TEST_F(Times, OfShapesLastUntilTheMargin)
 {
     dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
@@ -269,7 +270,7 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
         dPredictiveSpaceSetShapeMargin(space, margin);
         const dGeomID one = scene.sphere(1, 0, 0, 0), other = scene.sphere(1, 5, 5, 5);
         dPredictiveSpaceSetGeomRole(space, one,
-                                    dPredictiveRoleInteractive); // so that shapes decide about the callback, too
+                                    dPredictiveRoleInteractive); // makes shapes decide about the callback, too
         fill(20);
         expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
             const dReal place = 5 - REAL(0.02) * static_cast<dReal>(tick);
@@ -280,7 +281,7 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
     }
 }
 
-// They have no position whose motion could be known.
+// They have no position with a known motion.
 TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
 {
     fill(20);
@@ -298,7 +299,7 @@ TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
     }
 }
 
-// By shape, too, and the still box is known for longer than the ball.
+// This holds for shapes, too, and the still box is known for longer than the ball.
 TEST_F(Times, DoNotDependOnWhoIsAskedAboutFirst)
 {
     for (const int proximity : {dPredictiveProximityBox, dPredictiveProximitySphere, dPredictiveProximityShape})

@@ -1,5 +1,5 @@
-# Cross build for arm64 with Debian's compiler, run by qemu. ODE, GoogleTest and Google Benchmark come from the folder ARM64_ROOT; what is only
-# headers comes from this machine.
+# Cross build for arm64 with Debian's compiler, run by qemu. ODE, GoogleTest and Google Benchmark come from the folder
+# ARM64_ROOT, and header-only packages from this machine.
 
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
@@ -14,7 +14,7 @@ set(benchmark_DIR "${arm64_libraries}/cmake/benchmark")
 set(ODE_INCLUDE_DIR "${ARM64_ROOT}/usr/include")
 set(ODE_LIBRARY "${arm64_libraries}/libode.so")
 
-# The system's own libraries for arm64 are those of the compiler.
+# The compiler brings the system's own libraries for arm64.
 add_link_options("LINKER:-rpath-link,${arm64_libraries}")
 set(CMAKE_CROSSCOMPILING_EMULATOR
     qemu-aarch64-static

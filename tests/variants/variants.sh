@@ -1,5 +1,5 @@
-# For `./run dev variants`, which includes this file: builds of the project by other compilers, for other processors and with other
-# builds of ODE, each of which runs the tests of the contract and of random histories.
+# Included by `./run dev variants`: builds of the project by other compilers, for other processors and with other builds of ODE,
+# each of which runs the tests of the contract and of random histories.
 
 all_variants=(clang clang-v3 scalar ode-release ode-single arm64)
 
@@ -23,8 +23,8 @@ test_with_clang() {
     test_variant "$1" "$promised" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ "${@:2}"
 }
 
-# Sets arm64_root to a folder with the packages for arm64 that the tests are linked with, as libode-dev cannot be installed
-# beside that of another processor.
+# Sets arm64_root to a folder with the packages for arm64 that the tests are linked with, as libode-dev cannot be installed for
+# two processors.
 fetch_arm64_root() {
     local work=$top/build/arm64-root package list
     arm64_root=$work/root

@@ -1,5 +1,3 @@
-// Whether all spaces found the same.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
 
@@ -12,7 +10,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// The hashes of a process. The simple space is registered first; what comes later must have the hash of the first.
+/// The first hash of each row. The simple space is registered first, so the others are compared with it.
 class Agreement
 {
 public:
@@ -22,9 +20,9 @@ public:
         return agreement;
     }
 
-    /// Show the hash as the label of a benchmark, and let it fail when an earlier one found something else.
+    /// Shows the hash as the label of a benchmark, which fails if an earlier one had another hash.
     ///
-    /// @param what the spaces must agree on: a row.
+    /// @param what the row on which the spaces must agree.
     void check(benchmark::State &state, const std::string &what, std::uint64_t hash)
     {
         state.SetLabel(worlds::hexadecimal(hash));

@@ -1,4 +1,4 @@
-// What predictive_bench registers, kind by kind.
+// The benchmarks that predictive_bench registers, by kind.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_CLOCKS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_CLOCKS_H
@@ -11,17 +11,16 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// How much is registered.
 enum class Extent
 {
-    full, ///< the rows as they are
-    brief ///< up to 40 objects and 20 ticks: does everything run, and do all spaces agree?
+    full, ///< complete rows
+    brief ///< at most 40 objects and 20 ticks, to see that everything runs and all spaces agree
 };
 
 constexpr int brief_objects = 40;
 constexpr int brief_ticks = 20;
 
-/// collide/WORLD/N/SPACE  what a world calls for its pairs
+/// collide/WORLD/N/SPACE  the world's calls for its pairs
 /// tick/WORLD/N/SPACE     the whole tick: motion with the step of the world, the pairs, contacts
 /// contact/WORLD/N/SPACE  the pairs, and dCollide() for each of them
 void register_worlds(Extent extent);
@@ -29,17 +28,17 @@ void register_worlds(Extent extent);
 /// query/WHAT/N/SPACE  dSpaceCollide2() of 20 spheres, of 20 rays
 void register_queries(Extent extent);
 
-/// life/WORLD/N/SPACE  a space from the first geom to the last
+/// life/WORLD/N/SPACE  the life of a space, from the first geom to the last
 void register_lives(Extent extent);
 
 /// p50, p99, p99.9 and maximum of a series of microseconds, as counters.
 void count_percentiles(benchmark::State &state, const std::vector<double> &microseconds);
 
-/// "collide/gas/1000/sap".
+/// For example "collide/gas/1000/sap".
 std::string benchmark_name(const std::string &kind, const std::string &world, int objects, const std::string &space);
 
-/// With more objects than this a contender is not waited for: a tick takes seconds (brute, simple), its table gigabytes
-/// (hash, n^2 / 8 bytes), its first tick (quadtree) or its filling and emptying (bullet-sap) minutes.
+/// Limit above which a contender is left out: a tick takes seconds (brute, simple), its table gigabytes (hash, n^2 / 8 bytes),
+/// its first tick (quadtree) or its filling and emptying (bullet-sap) minutes.
 int most_objects(const std::string &contender);
 } // namespace ode_predictive_space::benchmarks
 

@@ -1,4 +1,4 @@
-// Very many, very large, very near, very far: what a space takes from the first geom to the last.
+// Lives of spaces, from the first geom to the last, with very many, very large, very near and very far objects.
 
 #include "demos/runs/spaces.h"
 #include "tests/benchmarks/clock/agreement.h"
@@ -59,17 +59,17 @@ const std::vector<Life> &lives()
     return all;
 }
 
-/// Times are of the processor in this thread, in milliseconds.
+/// Processor times of this thread, in milliseconds.
 struct Costs
 {
     double fill = 0;    ///< all geoms created in the space
     double first = 0;   ///< the first collide
-    double move = 0;    ///< the motion of a later tick, with the notices to the space: the mean
-    double collide = 0; ///< the collide of a later tick: the mean
+    double move = 0;    ///< the motion of a later tick, with the notices to the space, on average
+    double collide = 0; ///< the collide of a later tick, on average
     double empty = 0;   ///< all geoms destroyed
-    double heap = 0;    ///< bytes from the heap after the last tick, with the geoms
+    double heap = 0;    ///< heap bytes after the last tick, including the geoms
     std::uint64_t pairs = 0;
-    std::uint64_t hash = 0; ///< of the pairs after the last tick
+    std::uint64_t hash = 0; ///< hash of the pairs after the last tick
 };
 
 double processor_time()
@@ -86,7 +86,7 @@ template <typename Action> double time_of(Action action)
     return processor_time() - before;
 }
 
-/// Pairs of one tick, without a list: there may be fifty million.
+/// Counts pairs without a list, as one tick may have fifty million.
 void count_pair(void *costs, dGeomID, dGeomID)
 {
     ++static_cast<Costs *>(costs)->pairs;
@@ -111,7 +111,7 @@ void make_ticks(World &world, dSpaceID space, int ticks, Costs &costs)
     world.collide(space, &costs, near_callbacks<&hash_pair>);
 }
 
-/// @param ticks none: the geoms are made and destroyed only.
+/// @param ticks 0: the geoms are only created and destroyed.
 Costs live(const Life &life, SpaceKind kind, int ticks)
 {
     Costs costs;
@@ -130,7 +130,7 @@ Costs live(const Life &life, SpaceKind kind, int ticks)
 
 void clock_life(benchmark::State &state, const Life &life, SpaceKind kind)
 {
-    // A simple space that is never collided keeps the geoms in ODE's list and nothing else.
+    // A simple space that is never collided keeps only ODE's list of the geoms.
     const double bare = live(life, SpaceKind::simple, 0).heap;
     Costs costs;
     for (auto _ : state)
@@ -144,7 +144,7 @@ void clock_life(benchmark::State &state, const Life &life, SpaceKind kind)
     state.counters["empty_ms"] = costs.empty;
     state.counters["bytes_per_object"] = (costs.heap - bare) / life.objects;
     state.counters["pairs"] = static_cast<double>(costs.pairs);
-    // Sweep-and-prune rounds its first axis, and far from the origin reports pairs that are apart.
+    // Sweep-and-prune rounds its first axis, so far from the origin it reports pairs that are apart.
     if (kind != SpaceKind::sweep_and_prune)
         Agreement::all().check(state, "life of " + life.world + "/" + std::to_string(life.objects), costs.hash);
 }

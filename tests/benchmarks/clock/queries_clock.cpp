@@ -11,24 +11,23 @@ namespace
 {
 using namespace worlds;
 
-/// What asks a space in each tick.
 struct Query
 {
     std::string name;
     std::string world;
     int objects;
     int ticks;
-    std::size_t first; ///< of the world's queries
+    std::size_t first; ///< index of the first of the world's queries
     bool collides =
-        true; ///< dSpaceCollide() comes before, and is not clocked; without it the first query pays for the motion
+        true; ///< dSpaceCollide() comes first and is not timed; without it the first query pays for the motion
 };
 
 constexpr int warm_up_ticks = 100;
 
 void answer_nothing(void *, dGeomID, dGeomID) {}
 
-/// ODE's own spaces keep nothing of a dSpaceCollide() but that their geoms are clean. Some of them would spend most of the
-/// benchmark in it.
+/// A dSpaceCollide() of ODE's own spaces leaves nothing but clean geoms, and in some of them it would take most of the
+/// benchmark.
 void collide(dSpaceID space)
 {
     if (dSpaceIsPredictive(space) != 0)
@@ -37,7 +36,6 @@ void collide(dSpaceID space)
         dSpaceClean(space);
 }
 
-/// A space with its copy of the world.
 class QueryRun
 {
 public:
@@ -69,7 +67,7 @@ public:
 private:
     const Query &query_;
     WorldFactory factory_;
-    std::unique_ptr<Contender> contender_; // before the world, whose geoms are in its space
+    std::unique_ptr<Contender> contender_; // outlives the world, whose geoms are in its space
     std::unique_ptr<World> world_;
     double clock_overhead_ = clock_overhead();
     PairList list_;
@@ -115,7 +113,7 @@ void register_queries(Extent extent)
     {
         if (extent == Extent::brief)
         {
-            query.objects = brief_objects + query.objects / 1000; // other names for other sizes
+            query.objects = brief_objects + query.objects / 1000; // keeps the names of different sizes distinct
             query.ticks = brief_ticks;
         }
         register_query(query);

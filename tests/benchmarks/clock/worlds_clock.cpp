@@ -13,7 +13,7 @@ using namespace worlds;
 
 constexpr int ticks_per_turn = 100;
 
-/// A pile settles once, for all spaces.
+/// The spaces share one factory per world, so that a pile settles only once.
 const WorldFactory &factory_of(const WorldSpec &spec)
 {
     static std::map<std::pair<std::string, int>, std::unique_ptr<WorldFactory>> all;
@@ -35,7 +35,6 @@ constexpr const char *name_of(Part part)
     return part == Part::collide ? "collide" : part == Part::tick ? "tick" : "contact";
 }
 
-/// Microseconds of one tick.
 double time_of(const WorldRun &run, Part part, std::size_t tick)
 {
     switch (part)
@@ -77,7 +76,6 @@ void count_calls(benchmark::State &state, const WorldRun &run)
     state.counters["collide_us"] = summarise(run.collide_times()).mean;
 }
 
-/// One repetition: a fresh world, ticks that are not clocked, ticks that are.
 void clock_world(benchmark::State &state, const Row &row, const std::string &space, Part part)
 {
     const WorldFactory &factory = factory_of(row.spec());
@@ -101,7 +99,7 @@ void clock_world(benchmark::State &state, const Row &row, const std::string &spa
     check_pairs(state, run, row, part);
 }
 
-/// Those that find their pairs elsewhere than in a near callback take part in scenes alone, and are not asked for contacts.
+/// Contenders that are not ODE spaces take part only in the collide rows of scenes, without contacts.
 bool takes_part(const std::string &space, const Row &row, Part part)
 {
     if (row.objects > most_objects(space))
@@ -112,7 +110,7 @@ bool takes_part(const std::string &space, const Row &row, Part part)
            row.part.empty();
 }
 
-/// The simple space first, with which the others are compared.
+/// The simple space comes first, as the reference for the others.
 std::vector<std::string> spaces_in_order()
 {
     std::vector<std::string> names = contender_names();
@@ -148,7 +146,7 @@ void register_row(const Row &row)
 
 void register_worlds(Extent extent)
 {
-    std::set<std::string> known; // names, of which brief rows have some twice
+    std::set<std::string> known; // brief rows have some names twice
     for (const Row &full : rows())
     {
         const Row row = extent == Extent::brief ? brief(full) : full;

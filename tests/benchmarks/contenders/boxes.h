@@ -1,5 +1,3 @@
-// The bounding boxes of geoms in single precision.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BOXES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BOXES_H
 
@@ -8,7 +6,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// The geom's bounding box, which must be up to date, rounded outwards.
+/// The geom's bounding box, rounded outwards. It must be up to date.
 inline FloatBox float_box_of(const dxGeom *geom)
 {
     const dReal *aabb = geom->aabb;

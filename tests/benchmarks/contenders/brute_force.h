@@ -7,8 +7,8 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// dSpaceCollide() calls dCollide() for every pair whose bits and bodies let it collide, for one contact at most, and no
-/// callback. The pairs whose boxes overlap are found after that, by Contender::finish(), so that they can be compared.
+/// dSpaceCollide() calls dCollide(), for at most one contact, for every pair that bits and bodies allow to collide, and makes
+/// no callback. Contender::finish() finds the pairs whose boxes overlap afterwards, for the comparison.
 std::unique_ptr<worlds::Contender> make_brute_force();
 } // namespace ode_predictive_space::benchmarks
 

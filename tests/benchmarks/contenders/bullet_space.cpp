@@ -14,7 +14,7 @@ namespace
 constexpr int handles_of_16_bits = 16384;
 constexpr int handles_to_spare = 1000; // walls, ground, probes
 
-/// A corner that Bullet can reckon with, also of an infinite geom.
+/// A corner within Bullet's range, also for an infinite geom.
 btVector3 corner(const float *place)
 {
     const auto bounded = [](float coordinate) { return std::clamp(coordinate, -BT_LARGE_FLOAT, BT_LARGE_FLOAT); };
@@ -24,7 +24,7 @@ btVector3 corner(const float *place)
 class BulletSpace : public NoticeSpace
 {
 public:
-    /// @param owns_proxies whether the broad phase frees those that are left with itself.
+    /// @param owns_proxies whether the broad phase frees the proxies that it still has.
     BulletSpace(std::unique_ptr<btBroadphaseInterface> broadphase, bool owns_proxies)
         : broadphase_(std::move(broadphase)), owns_proxies_(owns_proxies)
     {}
@@ -95,7 +95,7 @@ private:
 
     std::unique_ptr<btBroadphaseInterface> broadphase_;
     const bool owns_proxies_;
-    std::vector<btBroadphaseProxy *> proxies_; // by slot
+    std::vector<btBroadphaseProxy *> proxies_; // indexed by slot
 };
 
 std::unique_ptr<worlds::Contender> contender(const char *name, std::unique_ptr<btBroadphaseInterface> broadphase,
@@ -105,7 +105,7 @@ std::unique_ptr<worlds::Contender> contender(const char *name, std::unique_ptr<b
         name, worlds::Family::reference, worlds::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
 }
 
-/// It keeps its proxies in an array. (To destroy one is to sort it to the end of each axis.)
+/// btAxisSweep3 frees its array of proxies at once. Destroying a proxy would sort it to the end of each axis.
 std::unique_ptr<worlds::Contender> sweep_contender(std::unique_ptr<btBroadphaseInterface> broadphase)
 {
     return contender("bullet-sap", std::move(broadphase), true);

@@ -8,12 +8,12 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// btDbvtBroadphase. Each tick tells it the boxes of the geoms that have moved, rounded outwards to its single precision,
-/// lets it find its pairs, and passes on those whose exact boxes overlap.
+/// btDbvtBroadphase. Each tick passes it the boxes of the moved geoms, rounded outwards to single precision, lets it find its
+/// pairs, and reports those whose exact boxes overlap.
 std::unique_ptr<worlds::Contender> make_bullet_dbvt();
 
-/// The same with btAxisSweep3 or, where that has too few handles, bt32BitAxisSweep3; without their accelerators for rays,
-/// which nobody asks here.
+/// As above with btAxisSweep3 or, if that has too few handles, bt32BitAxisSweep3; without their accelerators for rays, which
+/// are not used here.
 std::unique_ptr<worlds::Contender> make_bullet_sap(const worlds::WorldFactory &factory);
 } // namespace ode_predictive_space::benchmarks
 

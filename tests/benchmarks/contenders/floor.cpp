@@ -49,7 +49,6 @@ public:
         }
     }
 
-    /// Add the pairs of one more tick.
     void learn(const std::vector<IndexPair> &pairs)
     {
         if (by_index_.size() != slots())
@@ -96,7 +95,7 @@ private:
     const bool with_boxes_;
     std::vector<dxGeom *> moved_;
     std::vector<dxGeom *> by_index_;
-    std::deque<std::vector<std::pair<dxGeom *, dxGeom *>>> known_; // of the ticks to come
+    std::deque<std::vector<std::pair<dxGeom *, dxGeom *>>> known_; // pairs of the ticks to come
     volatile double sum_of_positions_ = 0;
 };
 
@@ -125,7 +124,7 @@ public:
 
 private:
     FloorSpace &floor_;
-    std::unique_ptr<worlds::Contender> leader_; // before its scene, whose geoms are in its space
+    std::unique_ptr<worlds::Contender> leader_; // outlives its scene, whose geoms are in its space
     std::unique_ptr<worlds::World> scene_;
     worlds::PairList list_;
 };

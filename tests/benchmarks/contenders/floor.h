@@ -1,4 +1,4 @@
-// What no way to find pairs can be faster than.
+// Lower bounds for the time of any broad phase.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_FLOOR_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_FLOOR_H
@@ -8,12 +8,12 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// dSpaceCollide() reads the position of each geom that has moved, once, and calls the callback for the pairs, which it
-/// knows beforehand: another copy of the scene, a turn ahead, has found them. For scenes that destroy no geoms.
+/// dSpaceCollide() reads the position of each moved geom once, and calls the callback for pairs that are known beforehand:
+/// another copy of the scene, some ticks ahead, has found them. The scene must not destroy geoms.
 std::unique_ptr<worlds::Contender> make_floor(const worlds::WorldFactory &factory);
 
-/// The same, and has the bounding boxes of these pairs computed where they have moved, "floor-boxes": whoever reports the
-/// pairs whose boxes overlap, and no others, must know them, unless it can be told from elsewhere.
+/// As above, and computes the bounding boxes of the moved geoms in these pairs, "floor-boxes": a broad phase that reports
+/// exactly the overlapping boxes needs them, unless they are known from elsewhere.
 std::unique_ptr<worlds::Contender> make_floor_with_boxes(const worlds::WorldFactory &factory);
 } // namespace ode_predictive_space::benchmarks
 

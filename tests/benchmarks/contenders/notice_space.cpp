@@ -7,7 +7,7 @@ NoticeSpace::NoticeSpace() : dxSpace(nullptr)
     type = dSimpleSpaceClass;
 }
 
-// In ~dxSpace the functions of this class are gone; and no geom may be left with a slot that nobody keeps.
+// The geoms leave here: ~dxSpace no longer calls the functions of this class, and a geom must not keep a stale slot.
 NoticeSpace::~NoticeSpace()
 {
     while (first != nullptr)
@@ -16,7 +16,7 @@ NoticeSpace::~NoticeSpace()
     }
 }
 
-// A geom's next_ex is free for the space that it is in: it holds the slot.
+// A geom's next_ex is reserved for its space; here it holds the slot.
 NoticeSpace::Slot NoticeSpace::slot_of(const dxGeom *geom)
 {
     return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->next_ex));

@@ -1,4 +1,4 @@
-// What the contenders that are no ODE spaces of their own stand on: a space that knows which of its geoms have moved.
+// Base of the contenders that are not ODE spaces: a space that knows which of its geoms have moved.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_NOTICE_SPACE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_NOTICE_SPACE_H
@@ -12,8 +12,8 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Gives each of its geoms a slot, a small number that is used again after the geom has gone, and notes the slots of those
-/// that ODE says have moved. What did not move costs nothing. Geoms only: it does not nest.
+/// Gives each geom a slot, a small number that is reused after the geom has left, and notes the slots of the geoms that ODE
+/// reports as moved. Geoms that do not move cost nothing. Nested spaces are not supported.
 class NoticeSpace : public dxSpace
 {
 public:
@@ -27,23 +27,22 @@ public:
     void dirty(dxGeom *geom) override;
     void cleanGeoms() override;
 
-    /// Tests every geom of the space: the contenders have no index that would be open to questions.
+    /// Tests every geom of the space, as the contenders have no index for queries.
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
 protected:
-    /// Called when a geom leaves.
     virtual void forget(Slot) {}
 
-    /// The slots of the geoms that have moved or were added since the last call, their boxes up to date. A slot may be there
-    /// twice. Valid until the next motion.
+    /// Slots of the geoms that have moved or were added since the last call, with boxes up to date. A slot may occur twice.
+    /// Valid until the next motion.
     const std::vector<Slot> &take_moved();
 
-    /// The geom in a slot; null when there is none.
+    /// The geom in a slot, or null.
     dxGeom *geom_in(Slot slot) const { return geoms_[slot]; }
 
     Slot slots() const { return static_cast<Slot>(geoms_.size()); }
 
-    /// The last test, the same as in ODE's own spaces: bits, bodies, boxes.
+    /// The final test, as in ODE's own spaces: bits, bodies, boxes.
     static void report(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback)
     {
         if (is_enabled(first) && is_enabled(second) && bits_agree(first, second) && aabbs_overlap(first, second) &&
@@ -51,7 +50,7 @@ protected:
             callback(data, first, second);
     }
 
-    /// Keeps the space locked, as ODE's own are while they work.
+    /// Keeps the space locked, as ODE's own spaces do while they work.
     class Lock
     {
     public:
@@ -72,7 +71,7 @@ private:
     static Slot slot_of(const dxGeom *geom);
     void give_back(dxGeom *geom);
 
-    std::vector<dxGeom *> geoms_; // by slot
+    std::vector<dxGeom *> geoms_; // indexed by slot
     std::vector<Slot> free_;
     std::vector<Slot> noticed_;
     std::vector<Slot> moved_;

@@ -29,7 +29,7 @@ protected:
 private:
     static SweptProxy item_for(Slot slot, const dxGeom *geom) { return {slot, float_box_of(geom)}; }
 
-    // While no geom has left, the item of each is at the place of its slot.
+    // Until a geom leaves, its item is at the index of its slot.
     void update_items()
     {
         const std::vector<Slot> &moved = take_moved();

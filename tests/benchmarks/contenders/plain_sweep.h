@@ -7,8 +7,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Sorts and sweeps the boxes of all geoms in each tick, from scratch. Only the boxes of those that have moved are computed
-/// anew.
+/// Sorts and sweeps the boxes of all geoms from scratch in each tick. Only the boxes of moved geoms are computed again.
 std::unique_ptr<worlds::Contender> make_plain_sweep();
 } // namespace ode_predictive_space::benchmarks
 

@@ -1,5 +1,3 @@
-// A gas of balls.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_CALM_GAS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_CALM_GAS_H
 
@@ -33,7 +31,7 @@ public:
         return world.tick();
     }
 
-    /// The same, and the last object moves first.
+    /// As tick(), with the last object moved first.
     Pairs tick_backwards()
     {
         const std::vector<ProxyId> ids = world.members();
@@ -49,14 +47,12 @@ public:
             tick();
     }
 
-    /// Puts all balls somewhere else.
     void scatter()
     {
         for (ProxyId id : world.members())
             world.place(id, random_.vector(half_));
     }
 
-    /// Gives all balls other velocities.
     void explode()
     {
         for (ProxyId id : world.members())

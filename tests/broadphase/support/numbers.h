@@ -1,4 +1,4 @@
-// What doubles and floats have beside numbers.
+// Special values of doubles and floats.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_NUMBERS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_NUMBERS_H

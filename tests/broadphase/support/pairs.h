@@ -1,4 +1,4 @@
-// Sets of pairs, in a form that can be compared.
+// Sets of pairs in a comparable form.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_PAIRS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_PAIRS_H
@@ -23,7 +23,7 @@ template <typename Source> Pairs sorted_pairs(const Source &source)
     return pairs;
 }
 
-/// All pairs of 0 to count - 1 for which overlap(first, second) holds, in ascending order.
+/// All pairs from 0 to count - 1 for which overlap(first, second) holds, in ascending order.
 template <typename Overlap> Pairs all_pairs(std::size_t count, Overlap overlap)
 {
     Pairs pairs;

@@ -20,12 +20,11 @@ public:
         return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
     }
 
-    /// One of 0 to count - 1.
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
 
     bool chance(double probability) { return uniform(0, 1) < probability; }
 
-    /// Each component uniform in [-half, half].
+    /// Components are uniform in [-half, half].
     Vector3 vector(double half)
     {
         const double x = uniform(-half, half), y = uniform(-half, half), z = uniform(-half, half);

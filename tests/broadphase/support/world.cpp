@@ -13,7 +13,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Closed; what is not a number overlaps, as it does for ODE.
+// Boxes are closed, and NaN overlaps everything, as in ODE.
 bool boxes_overlap(const Box &one, const Box &other)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -22,7 +22,7 @@ bool boxes_overlap(const Box &one, const Box &other)
     return true;
 }
 
-// A side that is NaN is inside where the outer box is infinite.
+// A side that is NaN is inside if the outer box is infinite there.
 bool holds(const FloatBox &outer, const Box &inner)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -221,7 +221,6 @@ const Object &World::seen(ProxyId id) const
     return objects_[id];
 }
 
-// By the formula, as far as it goes, or the bounding box itself.
 void World::measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin)
 {
     for (std::size_t i = 0; i < count; ++i)
@@ -274,7 +273,8 @@ bool World::boxes_and_spheres_overlap(ProxyId first, ProxyId second) const
 {
     if (!boxes_overlap(bounds_of(seen(first)), bounds_of(seen(second))))
         return false;
-    // The sphere of an object without one is that around its box. The tolerance is for rounding, here and in the broad phase.
+    // An object without a bounding sphere has the one around its box. The tolerance is for rounding, here and in the broad
+    // phase.
     auto radius = [this](ProxyId id) {
         return std::isfinite(objects_[id].radius) ? objects_[id].radius : objects_[id].half.norm();
     };
@@ -315,7 +315,7 @@ Object box(const Vector3 &centre, const Vector3 &half, const Vector3 &displaceme
 
 Object floor_below(double height)
 {
-    // Its bounds are -infinity and height; the box around its centre cannot say that, so it is made of a large one.
+    // A box around a centre cannot have the bounds -infinity and height, so it is made of a large one.
     return block({0, 0, height - 1e30}, {infinity, infinity, 1e30}, Vector3::Zero(), false);
 }
 } // namespace ode_predictive_space

@@ -1,4 +1,4 @@
-// Plain objects in the place of geoms: the scene of the broad phase in its tests.
+// The scene of the broad phase in its tests: plain objects in place of geoms.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_WORLD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BROADPHASE_SUPPORT_WORLD_H
@@ -17,23 +17,24 @@ namespace ode_predictive_space
 struct Object
 {
     Vector3 centre = Vector3::Zero();
-    /// Half sizes in its own axes. Of a sphere all are the radius; of a capsule the radius is in x and y, half the segment in z.
+    /// Half sizes along its own axes. A sphere has its radius in all; a capsule has its radius in x and y, half its segment in
+    /// z.
     Vector3 half = Vector3::Constant(0.1);
-    double radius = 0.2;         ///< of its bounding sphere; infinite when it has none
-    Watch formula = Watch::nothing; ///< of its bounding box, which the broad phase may compute itself; nothing: there is none
-    std::optional<Vector3> velocity;        ///< per second, of its body; none without a body
+    double radius = 0.2;                    ///< radius of the bounding sphere; infinite without one
+    Watch formula = Watch::nothing;         ///< formula of its bounding box for the broad phase; nothing: no formula
+    std::optional<Vector3> velocity;        ///< velocity of its body, per second; none without a body
     Vector3 displacement = Vector3::Zero(); ///< per tick
-    bool enabled = true;                    ///< only then is it in reported pairs; changed without notice
+    bool enabled = true;                    ///< disabled objects are in no reported pair; changed without notice
     bool has_pose = true;                   ///< its pose can be read when its move is reported
     std::array<double, 12> rotation = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}; ///< three rows of four
 };
 
-/// Its bounding box in double precision.
+/// The bounding box in double precision.
 Box bounds_of(const Object &object);
 
 Solid solid_of(const Object &object);
 
-/// What Broadphase::report_at_once() and report_closely() ask.
+/// An object as Broadphase::report_at_once() and report_closely() read it.
 class Noticed
 {
 public:
@@ -50,32 +51,32 @@ private:
     const Object &object_;
 };
 
-/// Objects that move, and the broad phase that is told of each change as it happens.
+/// Moving objects, and a broad phase that is notified of each change.
 class World : public Scene
 {
 public:
     Broadphase broadphase;
 
-    /// Seconds per tick; the broad phase is not told.
+    /// Seconds per tick, unknown to the broad phase.
     static constexpr double step = 0.001;
 
     ProxyId add(const Object &object);
     void remove(ProxyId id);
 
-    /// The object has been changed in some way that the space is told of.
+    /// Notifies the broad phase of a change.
     ///
-    /// @return true when it counts as a move.
+    /// @return true if it counts as a move.
     bool touch(ProxyId id);
     void place(ProxyId id, const Vector3 &centre);
-    /// Turns it about its centre, from its first orientation.
+    /// Turns it about its centre. The angle is from its first orientation.
     void turn(ProxyId id, const Vector3 &axis, double angle);
 
-    /// Moves every object by its displacement and tells of those that have one.
+    /// Moves every object by its displacement, and reports the moved ones.
     void advance();
 
-    /// A tick and the report.
+    /// Runs a tick and the report.
     Pairs tick();
-    /// The reported pairs of enabled objects; the broad phase is told of the others.
+    /// The reported pairs of enabled objects. The disabled ones are made known to the broad phase.
     Pairs report();
 
     Object &object(ProxyId id) { return objects_[id]; }
@@ -86,15 +87,13 @@ public:
     /// All overlapping pairs of enabled objects, by brute force.
     Pairs overlapping() const;
 
-    /// Pairs that are tested at each report.
     std::size_t tested_pairs() const { return broadphase.near_pairs() - broadphase.waiting_pairs(); }
 
-    /// What is wrong with the invariant, or nothing. The broad phase must be up to date.
+    /// A violation of the invariant, or an empty string. The broad phase must be up to date.
     std::string violated_invariant() const;
-    /// The same between ticks, before new pairs were looked for.
+    /// As above between ticks, before the search for new pairs.
     std::string misplaced_object() const;
 
-    // What the broad phase asks.
     void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) override;
     void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) override;
     Box bounds(ProxyId id) override { return bounds_of(seen(id)); }
@@ -103,7 +102,7 @@ public:
     void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
 
 private:
-    /// An object that is asked about; it must be there.
+    /// The object that the broad phase asks about; it must be present.
     const Object &seen(ProxyId id) const;
     std::optional<Vector3> pivot_of(ProxyId id) const;
     Observation observation(ProxyId id) const;
@@ -121,13 +120,12 @@ Object ball(const Vector3 &centre, double radius, const Vector3 &displacement);
 /// A capsule along its z axis, carried by a body.
 Object capsule(const Vector3 &centre, double radius, double half_segment, const Vector3 &displacement);
 
-/// The same as box(), but its bounding box follows from no formula.
+/// As box(), without a formula for its bounding box.
 Object block(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body);
 
-/// A box with a body, or without.
 Object box(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body);
 
-/// All that is below z = height.
+/// The half space below z = height.
 Object floor_below(double height);
 } // namespace ode_predictive_space
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-// dGeomTransform is deprecated, but programs still have it.
+// dGeomTransform is deprecated, but programs still use it.
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
 namespace ode_predictive_space
@@ -60,7 +60,7 @@ struct MeshData
     {
         const float h = static_cast<float>(size) / 2;
         vertices = {h, h, h, 3 * h, h, h, h, 3 * h, h, h, h, 3 * h};
-        // Not dGeomTriMeshDataUpdate(): it leaves the box of the data as it was.
+        // dGeomTriMeshDataUpdate() would leave the box of the data as it was.
         dGeomTriMeshDataBuildSingle(id, vertices.data(), 3 * sizeof(float), 4, indices.data(), 12,
                                     3 * sizeof(dTriIndex));
     }
@@ -104,7 +104,7 @@ dHeightfieldDataID height_data(dReal size, bool endless)
     return (endless ? wrapped : finite)[nearest_mesh(size)].id;
 }
 
-// The user class: a ball of the radius kept as class data, one and a half radii away from its position along x.
+// The user class: a ball with its radius as class data, one and a half radii away from its position along x.
 dReal &ball_radius(dGeomID geom)
 {
     return *static_cast<dReal *>(dGeomGetClassData(geom));
@@ -115,7 +115,7 @@ void ball_centre(dGeomID geom, dVector3 centre)
     dGeomGetRelPointPos(geom, 1.5 * ball_radius(geom), 0, 0, centre);
 }
 
-int calls_until_throw = -1; // of ball_bounds(); negative when none is to throw
+int calls_until_throw = -1; // calls of ball_bounds(); negative: none throws
 
 void ball_bounds(dGeomID geom, dReal aabb[6])
 {
@@ -130,7 +130,7 @@ void ball_bounds(dGeomID geom, dReal aabb[6])
     }
 }
 
-// The ball against the other's box: says no when they only overlap at the ball's corners.
+// The ball against the other's box: no contact if they overlap only at the corners of the ball's box.
 int ball_may_touch(dGeomID geom, dGeomID, dReal aabb[6])
 {
     dVector3 centre;
@@ -167,8 +167,8 @@ dGeomID create_ball(dReal size, dSpaceID space)
     return geom;
 }
 
-// dGeomTriMeshSetData() marks the geom dirty and tells nobody: in a space, ODE would then be silent about its later moves,
-// and a simple space would stop at an assertion. So it is done outside.
+// dGeomTriMeshSetData() marks the geom dirty without a notice: in a space, ODE would not report its later moves, and a simple
+// space would stop at an assertion. So the geom leaves its space for this.
 void set_mesh(dGeomID geom, dTriMeshDataID data)
 {
     dSpaceID space = dGeomGetSpace(geom);
@@ -318,7 +318,7 @@ void resize_geom(dGeomID geom, GeomKind kind, dReal size)
     case GeomKind::oblique_plane:
         return dGeomPlaneSetParams(geom, 0.6, 0, 0.8, -size);
     case GeomKind::endless_heightfield:
-        // Nothing about it can change that its bounds would show.
+        // No change of these geoms would show in their bounds.
         return;
     case GeomKind::convex:
         convex_data(size).give_to(geom);

@@ -1,4 +1,4 @@
-// One of every class of geom, with bounds of every awkward kind: off-centre, infinite, without a position.
+// A geom of every class, with awkward bounds of all kinds: off-centre, infinite, without a position.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_GEOM_ZOO_H
 #define ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_GEOM_ZOO_H
@@ -18,7 +18,7 @@ enum class GeomKind
     ray,
     convex,             ///< a cube whose centre is away from its position
     trimesh,            ///< a tetrahedron, away from its position
-    heightfield,        ///< finite and placeable; its position is a matter of its centre
+    heightfield,        ///< finite and placeable, with its position at its centre
     transform,          ///< a dGeomTransform around a sphere that is away from its position
     user,               ///< a user class with bounds away from its position and an AABBTest
     plane,              ///< with its normal along an axis: a half space
@@ -30,32 +30,31 @@ constexpr int geom_kind_count = 13;
 
 const char *geom_kind_name(GeomKind kind);
 
-/// Kinds that have a position, and so can be moved and carried by a body. All others are unbounded on some side.
+/// Kinds with a position, which can be moved and carried by a body. All others are unbounded on some side.
 bool is_placeable(GeomKind kind);
 
-/// Makes a geom of about the given size (convexes, meshes and heightfields come in the sizes 0.3, 1 and 3 only).
+/// Makes a geom of about this size (convexes, meshes and heightfields have the sizes 0.3, 1 and 3 only).
 dGeomID create_geom(GeomKind kind, dReal size, dSpaceID space);
 
-/// Gives a geom that create_geom() made another size and tells the space by setting its position anew: ODE gives no notice
-/// of its own when a convex, a mesh, a heightfield or a transform is changed.
+/// Resizes a geom that create_geom() made, and sets its position again as a notice to the space: ODE sends none when a convex,
+/// a mesh, a heightfield or a transform is changed.
 void resize_geom(dGeomID geom, GeomKind kind, dReal size);
-/// The triangles of a mesh of that size.
 dTriMeshDataID mesh_data(dReal size);
 
-/// The data of one convex or one mesh, in any size, which can be changed in place. They must outlive the geom.
+/// Data of one convex or mesh, in any size, which can be changed in place. They must outlive the geom.
 class OwnShapeData
 {
 public:
     virtual ~OwnShapeData() = default;
     virtual void give_to(dGeomID geom) const = 0;
-    /// Changes the points in place. ODE is not told that the geom has another box.
+    /// Changes the points in place. ODE sends no notice that the geom has another box.
     virtual void resize(dReal size) = 0;
 };
 
-/// Nothing for other kinds than convexes and meshes.
+/// @return null for kinds other than convexes and meshes.
 std::unique_ptr<OwnShapeData> make_own_data(GeomKind kind, dReal size);
 
-/// While it lives, one call of the aabb function of the user class throws, after `spared` others.
+/// During its lifetime, one call of the aabb function of the user class throws, after `spared` others.
 class ThrowingBounds
 {
 public:

@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Heightfields may have none, and are left where they are.
+// Heightfields may have no pose, and colliders do not move them.
 bool is_moved_by_colliders(dGeomID geom)
 {
     return !dGeomIsSpace(geom) && dGeomGetClass(geom) != dPlaneClass && dGeomGetClass(geom) != dHeightfieldClass;
@@ -27,7 +27,7 @@ void KeptPose::restore() const
 {
     if (!is_moved_by_colliders(geom_))
         return;
-    // Not by dGeomSetRotation(), which changes a matrix that is not quite a rotation.
+    // dGeomSetRotation() would change a matrix that is not quite a rotation.
     std::copy_n(position_, 4, const_cast<dReal *>(dGeomGetPosition(geom_)));
     std::copy_n(rotation_, 12, const_cast<dReal *>(dGeomGetRotation(geom_)));
     if (dGeomIsOffset(geom_))

@@ -1,4 +1,4 @@
-// What every test of a space rests on: ODE started, its handlers watched.
+// The base of every test of a space: ODE is started, and its message handlers are replaced.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_ODE_TEST_H
 #define ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_ODE_TEST_H
@@ -12,13 +12,13 @@
 
 namespace ode_predictive_space
 {
-/// Thrown out of dDebug() and dError(), which must not return.
+/// Thrown from dDebug() and dError(), which must not return.
 struct OdeAbort : std::runtime_error
 {
     using std::runtime_error::runtime_error;
 };
 
-/// Takes ODE's three message handlers while it lives. Aborts become OdeAbort; messages are kept.
+/// Replaces ODE's three message handlers during its lifetime. Aborts become OdeAbort; messages are kept.
 class OdeMessages
 {
 public:
@@ -27,7 +27,6 @@ public:
     OdeMessages(const OdeMessages &) = delete;
     OdeMessages &operator=(const OdeMessages &) = delete;
 
-    /// What dMessage() said since this object was made.
     static std::string text();
 
 private:
@@ -36,13 +35,12 @@ private:
     dMessageFunction *message_;
 };
 
-/// Runs `call` and returns what ODE's handlers were told by it: the text of an error, an assert, or messages.
+/// Runs `call` and returns the text that ODE's handlers get from it: an error, an assertion, or messages.
 std::string ode_complaint(const std::function<void()> &call);
 
-/// Whether ODE checks what it is given; one that was built without assertions does not.
 bool ode_has_assertions();
 
-/// ODE is up; an assert of ODE, an error or a message that no test asked for fails the test.
+/// ODE is up. An unexpected assertion, error or message of ODE fails the test.
 class OdeTest : public ::testing::Test
 {
 protected:
@@ -52,7 +50,6 @@ private:
     OdeMessages messages_;
 };
 
-/// Starts ODE in a thread of a test and ends it there.
 class OdeThread
 {
 public:

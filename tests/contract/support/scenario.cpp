@@ -19,7 +19,7 @@ void record(void *data, dGeomID first, dGeomID second)
 
 int geom_number(dGeomID geom)
 {
-    // Numbers are kept one up, so that a geom without one (data 0) is -1.
+    // Numbers are stored plus one, so that a geom without a number (data 0) has -1.
     return static_cast<int>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom))) - 1;
 }
 
@@ -71,7 +71,7 @@ Scenario::Scenario(SpaceKind kind, Asked asked)
 
 Scenario::~Scenario()
 {
-    // After an abort of ODE the space is still locked, and destroying it would abort again and hide the first.
+    // After an abort of ODE the space is still locked; its destruction would abort again and hide the first abort.
     if (std::uncaught_exceptions() > 0)
         return;
     dSpaceDestroy(space_);
@@ -121,7 +121,7 @@ void Scenario::tick()
         dPredictiveSpaceGetEncounters(space_, dSpaceGetGeom(space_, 0), nullptr, 0);
     const Pairs pairs = unordered(collide(space_));
     log_.push_back(pairs);
-    // What fails once may go on failing at every tick: one report is enough.
+    // A failure may repeat at every tick: one report is enough.
     if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end())
         throw std::runtime_error("a pair came twice");
     if (asked_ != Asked::nothing && !dPredictiveSpaceValidate(space_))

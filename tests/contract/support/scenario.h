@@ -1,4 +1,4 @@
-// The same small program run in two spaces: what it reports in a simple space is what it must report in a predictive one.
+// A small program in two spaces: a predictive space must report what a simple space reports.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_SCENARIO_H
 #define ODE_PREDICTIVE_SPACE_TESTS_CONTRACT_SUPPORT_SCENARIO_H
@@ -11,30 +11,28 @@
 
 namespace ode_predictive_space
 {
-/// One near callback: the numbers of its two geoms, in the order in which it got them.
+/// One near callback: the numbers of its two geoms, in the order of the call.
 using Pair = std::pair<int, int>;
 using Pairs = std::vector<Pair>;
 
-/// The number that a geom got from number_geom(); it is kept as the geom's data.
 int geom_number(dGeomID geom);
 dGeomID number_geom(dGeomID geom, int number);
 
-/// The callbacks of one dSpaceCollide() or dSpaceCollide2(), as they came.
 Pairs collide(dSpaceID space);
 Pairs collide2(dGeomID first, dGeomID second);
 
-/// Each pair with the lower number first, all in order. Pairs that came twice stay twice.
+/// Each pair has the lower number first, and the pairs are sorted. Duplicates stay.
 Pairs unordered(Pairs pairs);
 
 dGeomID as_geom(dSpaceID space);
 dSpaceID as_space(dGeomID geom);
 
-/// What a predictive space is asked at each tick. A small one predicts only once it has been asked.
+/// Calls to a predictive space at each tick. A small space predicts only after such a call.
 enum class Asked
 {
     nothing,
     validity,  ///< after the tick
-    encounters ///< before it, so that even what is new is predicted at once, and then its validity
+    encounters ///< before it, so that even new geoms are predicted at once, and validity after it
 };
 
 enum class SpaceKind
@@ -43,7 +41,6 @@ enum class SpaceKind
     predictive
 };
 
-/// A world and a space of one kind, and the log of all that the space reported.
 class Scenario
 {
 public:
@@ -57,25 +54,20 @@ public:
     SpaceKind kind() const { return kind_; }
     const std::vector<Pairs> &log() const { return log_; }
 
-    /// A space of this scenario's kind.
     dSpaceID make_space(dSpaceID parent) const;
 
-    /// Gives the geom the next number: 0, 1, 2, ...
     dGeomID numbered(dGeomID geom) { return number_geom(geom, next_number_++); }
     dGeomID sphere(dReal radius, dReal x, dReal y, dReal z);
     dGeomID box(dReal side, dReal x, dReal y, dReal z);
     dBodyID body(dGeomID geom, dReal vx, dReal vy, dReal vz);
 
-    /// Adds a geom to a space of this scenario's kind.
-    ///
-    /// A simple space aborts when a clean geom is added while others are dirty; there the others are cleaned first.
+    /// A simple space aborts when a clean geom is added while others are dirty, so there the others are cleaned first.
     void add(dSpaceID space, dGeomID geom) const;
 
-    /// dSpaceCollide(), logged without order; checks that no pair comes twice.
+    /// dSpaceCollide(), logged without order. No pair may come twice.
     void tick();
-    /// dSpaceCollide2(), logged in order of the pairs but with each pair as it came.
+    /// dSpaceCollide2(), logged with the pairs sorted, but each pair as it came.
     void query(dGeomID first, dGeomID second);
-    /// A step of the world, the same in every run.
     void step(dReal seconds);
     void note(const Pairs &pairs) { log_.push_back(pairs); }
 
@@ -88,7 +80,8 @@ private:
     std::vector<Pairs> log_;
 };
 
-/// Runs the program in both kinds of space, in the predictive one with and without questions, and expects the same log, and that it is not all empty.
+/// Runs the program in both kinds of space, in the predictive one with and without the calls of Asked. The logs must be the
+/// same, and not all empty.
 void expect_as_simple(const std::function<void(Scenario &)> &program);
 } // namespace ode_predictive_space
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Can programs that were built with the library as it was go on with the one that is built now? Compares its symbols and the types
-# of its public headers with those in BASELINE.symbols and BASELINE.abi.gz. What is new does no harm; anything else fails. A function
-# that now returns another type is not noticed, unless it is one of the space's.
+# Can programs that were built with the recorded library run with the present one? Compares its symbols and the types of its
+# public headers with those in BASELINE.symbols and BASELINE.abi.gz. Additions are allowed; anything else fails. A changed
+# return type is noticed for functions of the space only.
 # With --renew, writes the two files.
 # Usage: compare_interface.sh ABIDW ABIDIFF LIBRARY LIBRARY_WITH_TYPES HEADERS BASELINE [--renew]
 
@@ -12,7 +12,7 @@ work=$(mktemp --directory)
 trap 'rm -rf "$work"' EXIT
 
 nm --dynamic --defined-only --format=posix "$library" | awk '$2 != "A" { print $1 }' | LC_ALL=C sort >"$work/symbols"
-# Without paths and lines, and without types that are not in the headers.
+# Paths, lines, and types that are not in the headers are left out.
 "$abidw" --headers-dir "$headers" --drop-private-types --no-show-locs --no-comp-dir-path --no-corpus-path \
     --out-file "$work/abi" "$types"
 

@@ -1,4 +1,4 @@
-/* A program of someone else's, in C89: two spheres that overlap and one apart. */
+/* An independent program in C89: two spheres overlap, and one is apart. */
 
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-// A haptic program of someone else's: a hand presses on a still ball for half a second.
+// An independent haptic program: a hand presses on a still ball for half a second.
 
 #include <cstdio>
 
@@ -17,7 +17,7 @@ void near_callback(void *, dGeomID first, dGeomID second)
     probe->touch(first, second);
 }
 
-/// N; what the hand feels in the end.
+/// @return the force at the hand in the end, in N.
 double press(dSpaceID space)
 {
     haptics::VirtualDevice device({}, [](double seconds) { return haptics::Vector3(0, 0.03 - 0.1 * seconds, 0); });

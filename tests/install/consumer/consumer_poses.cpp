@@ -1,4 +1,4 @@
-// A haptic program of someone else's, compiled for the processor at hand: poses go into the library and come back.
+// An independent haptic program, compiled for the processor at hand: poses go into the library and come back.
 
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-/* drawstuff without a window: the simulation loop takes 500 steps, with a key pressed in every tenth, and nothing is drawn.
+/* drawstuff without a window: the simulation loop takes 500 steps, presses a key in every tenth, and draws nothing.
  * Functions that only draw are the same for all arguments. */
 
 #include <stdarg.h>

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Swaps the space in each of ODE's demos, by a line, and runs it beside the original: 500 steps without a window.
+"""Swaps the space in each of ODE's demos, in one line, and runs it beside the original: 500 steps without a window.
 
 In a copy of a demo, each creation of a hash, simple, quadtree or sweep-and-prune space becomes dPredictiveSpaceCreate(), and one
-header is included. Nothing else changes. Original and copy are recorded under the launcher, which replaces nothing, and the pairs
-that they got are compared with those that simple spaces find in a replay.
+header is included. Nothing else changes. Original and copy are recorded under the launcher, which replaces nothing, and their
+pairs are compared with those that simple spaces find in a replay.
 
-Prints a Markdown table. Exit status: 0; 1 when a swapped demo ends as its original does not, has a wrong pair, or does not compile.
+Prints a Markdown table. Exit status: 0; 1 when a swapped demo ends unlike its original, has a wrong pair, or does not compile.
 """
 import argparse
 import os
@@ -31,11 +31,11 @@ HEADER = "#include <ode_predictive_space/predictive_space.h>\n"
 class Run:
     ending: str
     collides: int = 0
-    differences: int = 0  # collides in which it did not get all pairs
+    differences: int = 0  # collides that missed pairs
 
 
 def arguments_from(text, begin):
-    """The arguments of a call, and where it ends; begin is behind its parenthesis."""
+    """The arguments of a call and the position of their end; begin is behind the parenthesis."""
     arguments, depth, last = [], 0, begin
     for at in range(begin, len(text)):
         if text[at] in "([":
@@ -51,7 +51,7 @@ def arguments_from(text, begin):
 
 
 def swapped(text):
-    """The text with its creations swapped, and how many there were. Comments are swapped, too."""
+    """The text with its creations swapped, and their number. Comments are swapped, too."""
     result, at, count = "", 0, 0
     for call in CREATION.finditer(text):
         arguments, end = arguments_from(text, call.end())
@@ -61,7 +61,7 @@ def swapped(text):
 
 
 def with_fewer_objects(name, text):
-    """10,000 balls begin in 4 cubic metres: millions of contacts, and a minute for the first step."""
+    """10,000 balls would begin in 4 cubic metres: millions of contacts, and a minute for the first step."""
     return re.sub(r"(#define NUM) 10000\b", r"\1 1000", text) if name == "demo_space_stress" else text
 
 
@@ -104,7 +104,7 @@ class Demos:
         return count
 
     def run(self, kind, file):
-        """A demo that crashes or aborts ends by a signal, and so does the launcher."""
+        """A signal ends a demo that crashes or aborts, and with it the launcher."""
         recording = self.work / kind / (file.stem + ".odehist")
         command = [self.tool, "run", "--space", "none", "--record", recording, self.work / kind / file.stem]
         try:

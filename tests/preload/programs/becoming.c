@@ -1,4 +1,4 @@
-/* A program that collides and becomes itself once more, as the same process. */
+/* A program that collides, and then executes itself again as the same process. */
 
 #include <unistd.h>
 

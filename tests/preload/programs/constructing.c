@@ -1,5 +1,5 @@
-/* A program in which a thread uses ODE for the first time while another one runs the constructor of a library, which uses ODE,
- * too: as long as that runs, the dynamic linker has other threads wait.
+/* A program in which a thread uses ODE for the first time while another one runs the constructor of a library, which uses
+ * ODE, too: meanwhile the dynamic linker blocks other threads.
  * Usage: constructing LIBRARY */
 
 #include <dlfcn.h>

@@ -10,7 +10,7 @@ extern atomic_int constructor_runs;
 __attribute__((constructor)) static void use_ode(void)
 {
     constructor_runs = 1;
-    /* So that the other thread is in its call of ODE by then. */
+    /* The other thread is in its call of ODE by then. */
     usleep(200000);
     dSpaceDestroy(dHashSpaceCreate(0));
 }

@@ -1,8 +1,8 @@
-/* A program that collides three times and ends in the way it is told to.
- * Usage: ending WAY: return, exit, _exit, abort, crash, a signal's number; many: after it has made 1099 spaces more; or wait: it says its process id, then waits for
- * signals. SIGINT and SIGUSR1 are counted, and SIGTERM ends it with their number as status. After two minutes it
- * says so and ends.
- * Usage: ending child WAY: a child process collides once and ends so; its parent ends by return. */
+/* A program that collides three times and ends in a given way.
+ * Usage: ending WAY: return, exit, _exit, abort, crash, a signal's number; many: after it has made 1099 more spaces; or
+ * wait: it prints its process id, then waits for signals. SIGINT and SIGUSR1 are counted, and SIGTERM ends it with their
+ * number as status. After two minutes it prints a message and ends.
+ * Usage: ending child WAY: a child process collides once and ends in this way; its parent ends by return. */
 
 #define _GNU_SOURCE
 

@@ -1,5 +1,5 @@
 /* A program whose children use ODE.
- * Usage: forking CHILDREN [busy]: busy, a second thread collides all the time. */
+ * Usage: forking CHILDREN [busy]: with busy, a second thread collides all the time. */
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -11,7 +11,7 @@
 
 static atomic_int stop;
 
-/* For AddressSanitizer: its search for leaks waits for ever in a child when the other thread was within malloc() at the fork. */
+/* AddressSanitizer's search for leaks waits for ever in a child if the other thread was within malloc() at the fork. */
 __attribute__((visibility("default"))) const char *__asan_default_options(void);
 const char *__asan_default_options(void)
 {
@@ -39,7 +39,7 @@ static void *collide_all_the_time(void *space)
     return 0;
 }
 
-/* A child that waits for what its parent's other thread has is ended after a while. */
+/* An alarm ends a child that waits for a resource of its parent's other thread. */
 static int run_child(dSpaceID space)
 {
     int status = -1;

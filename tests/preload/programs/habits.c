@@ -1,5 +1,5 @@
-/* What programs do with spaces beside colliding them, with every kind of space and with spaces of mixed kinds in one another,
- * twice: ODE is closed and initialised again. Prints what must be the same whatever stands in a space's place. */
+/* Common uses of spaces beside colliding them, with every kind of space and with nested spaces of mixed kinds, twice: ODE is
+ * closed and initialised again. The output must be the same for every replacement of a space. */
 
 #include <stdint.h>
 #include <stdio.h>
@@ -51,7 +51,7 @@ static int by_number(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-/* What was noted, each once: a quadtree has an infinite box and is met more often. */
+/* Each number is printed once: a quadtree has an infinite box and is met more often. */
 static void print_noted(const char *what)
 {
     int i;
@@ -103,7 +103,6 @@ static void show_members(dSpaceID space)
     dSpaceSetManualCleanup(space, 0);
 }
 
-/* What a program may do between two ticks. */
 static void change(dSpaceID space, dGeomID *spheres, int tick)
 {
     int i;
@@ -127,7 +126,7 @@ static void change(dSpaceID space, dGeomID *spheres, int tick)
         dSpaceClean(space);
 }
 
-/* A quadtree does not give its geoms. */
+/* A quadtree does not return its geoms. */
 static void print_geoms(dSpaceID space, int kind)
 {
     int i;
@@ -215,7 +214,7 @@ static void use_nested_spaces(int outer_kind, int middle_kind, int inner_kind, i
         if (tick == 2)
         {
             dSpaceRemove(middle, (dGeomID)inner);
-            /* ODE's own spaces overlook dirty geoms when a clean one is added in front of them. */
+            /* ODE's own spaces overlook dirty geoms if a clean one is added in front of them. */
             dSpaceClean(top);
             dSpaceAdd(top, (dGeomID)inner);
         }

@@ -1,5 +1,5 @@
-/* A program that knows nothing of ODE and loads libraries that do, one after the other, with RTLD_LOCAL, as Python loads its
- * extensions; each is unloaded before the next comes.
+/* A program without ODE that loads libraries with ODE one after the other, with RTLD_LOCAL, as Python loads its extensions;
+ * each is unloaded before the next is loaded.
  * Usage: local LIBRARY... */
 
 #include <dlfcn.h>

@@ -1,5 +1,5 @@
-/* A program that looks up ODE's functions itself, as games do that can run without ODE. After a question that had an answer,
- * dlerror() has nothing to say.
+/* A program that looks up ODE's functions itself, as games do that can run without ODE. After a successful look-up,
+ * dlerror() returns nothing.
  * Usage: looked_up LIBRARY */
 
 #include <dlfcn.h>

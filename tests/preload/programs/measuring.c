@@ -1,5 +1,5 @@
-/* A program that knows the predictive space, but makes it by another name: it changes the measure of its hash space.
- * Two spheres are apart, their boxes overlap. With an argument, it makes a predictive space by its own name. */
+/* A program that uses the predictive space under another name: it changes the proximity test of its hash space. Two spheres
+ * are apart, but their boxes overlap. With an argument, it makes a predictive space by its own name. */
 
 #include <ode/ode.h>
 

@@ -1,5 +1,5 @@
-/* What dlsym() finds depends on the library that calls it: this program is linked with a library that has which_library() and
- * looks for the next one. */
+/* The result of dlsym() depends on the library that calls it: this program is linked with a library that has which_library()
+ * and looks for the next one. */
 
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE

@@ -1,4 +1,4 @@
-/* Two libraries that have a function of the same name, and the first looks for that of the second. */
+/* Two libraries have a function of the same name, and the first looks up that of the second. */
 
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
@@ -15,7 +15,7 @@ VISIBLE const char *which_library(void)
 #ifdef LOOKS_FOR_NEXT
 VISIBLE void *next_function_of_first_library(const char *name)
 {
-    void *volatile found = dlsym(RTLD_NEXT, name); /* a call, after which it returns here */
+    void *volatile found = dlsym(RTLD_NEXT, name); /* a call, which returns here */
     return found;
 }
 #endif

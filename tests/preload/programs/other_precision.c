@@ -1,4 +1,4 @@
-/* A program whose ODE says that it has another precision: what a program defines comes before what a library does. */
+/* A program whose ODE reports another precision: the definitions of a program come before those of a library. */
 
 #include "scene.h"
 

@@ -1,4 +1,4 @@
-/* An ODE that is none: so little of one that a program which is served by it can tell. Built into a program, it stands for a
+/* A substitute for ODE that does hardly anything, so that a program can recognise it. Built into a program, it stands for a
  * static ODE; as a library, for a fork. */
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 VISIBLE void *dHashSpaceCreate(void *parent)
 {
-    /* As one that has virtual functions, it begins with an address of its library. */
+    /* Like an object with virtual functions, it begins with an address of its library. */
     static void *space = &space;
     (void)parent;
     return &space;

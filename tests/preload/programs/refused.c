@@ -1,4 +1,4 @@
-/* A program that goes on when ODE refuses what it is given. */
+/* A program that continues after ODE has refused its arguments. */
 
 #include <setjmp.h>
 #include <stdarg.h>

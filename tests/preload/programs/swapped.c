@@ -1,4 +1,4 @@
-/* A program whose first call of ODE's spaces is that of the predictive space's own library. */
+/* A program whose first call for a space is to the library of the predictive space. */
 
 #include <ode/ode.h>
 

@@ -1,6 +1,5 @@
-/* A program whose threads use ODE for the first time all at once, each in a space of its own. (The spaces are destroyed at
- * the end: ODE's destructors hand memory to its constructors in other threads, in a way that ThreadSanitizer takes for a
- * race.) */
+/* A program whose threads use ODE for the first time all at once, each in its own space. (The spaces are destroyed at the
+ * end: ODE's destructors pass memory to its constructors in other threads, which ThreadSanitizer takes for a race.) */
 
 #include <pthread.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
-// A program whose space is recorded, or counted by callgrind as a replay of the recording is.
+// A program whose space is recorded, or counted by callgrind like a replay of the recording.
 //
-//     counted_live SCENE box|shape         what counts is in counted_changes and counted_collide
-//     counted_live SCENE none              the same changes without a space that is collided
-//     counted_live SCENE box|shape FILE    records it, and calls dCollide() for its pairs
+//    counted_live SCENE box|shape         counts are for counted_changes and counted_collide
+//    counted_live SCENE none              the same changes without a space that is collided
+//    counted_live SCENE box|shape FILE    records it, and calls dCollide() for its pairs
 //
 // It prints the number of pairs and of contacts.
 
@@ -35,7 +35,7 @@ private:
     unsigned seed_ = 1;
 };
 
-// As an engine that has a world of its own and sets all poses at each tick, though one geom in twenty moves.
+// Like an engine with a separate world, it sets all poses at each tick, though one geom in twenty moves.
 class PosesThatAreSet final : public Scene
 {
 public:
@@ -75,7 +75,6 @@ dReal hill(void * /*data*/, int column, int row)
     return std::sin(REAL(0.7) * static_cast<dReal>(column)) * std::cos(REAL(0.5) * static_cast<dReal>(row));
 }
 
-// Bodies that fly low over a heightfield, some with two geoms of which one has an offset.
 class Terrain final : public Scene
 {
 public:
