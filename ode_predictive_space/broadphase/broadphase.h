@@ -269,8 +269,8 @@ private:
     // What the next look is to see. Maybe some that are gone, or have hardly moved.
     struct Looks
     {
-        Worklist listed; // those whose solid is watched were measured by the last notice
-        IdSet requested; // of these, those that get new envelopes in any case
+        Worklist listed;              // those whose solid is watched were measured by the last notice
+        IdSet requested;              // of these, those that get new envelopes in any case
         std::vector<ProxyId> current; // scratch
     };
 

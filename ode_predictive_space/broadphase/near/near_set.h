@@ -130,8 +130,9 @@ public:
 
     std::size_t bytes() const
     {
-        return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) + bytes_of(newly_resting_) +
-               resting_.bytes() + apart_.bytes() + wanted_.bytes() + bytes_of(open_) + budget_.bytes();
+        return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
+               bytes_of(newly_resting_) + resting_.bytes() + apart_.bytes() + wanted_.bytes() + bytes_of(open_) +
+               budget_.bytes();
     }
 
 private:
@@ -196,7 +197,7 @@ private:
     IdSet resting_;                  // objects with a pair at rest
     std::vector<ProxyId> disturbed_; // were among them
     std::vector<ProxyId> newly_resting_;
-    IdSet apart_;                    // objects with a pair by shape that rested apart when pairs were last let rest
+    IdSet apart_; // objects with a pair by shape that rested apart when pairs were last let rest
     std::uint64_t woken_ = 0;
     unsigned reports_ = 0;                 // so far; decides when pairs are let rest
     UpdateNumber rested_ = 0;              // when that was last
