@@ -88,11 +88,11 @@ private:
 struct TimeSummary
 {
     std::uint64_t count = 0; ///< number of times
-    double mean = 0;
-    double p50 = 0;  ///< median
-    double p99 = 0;  ///< 99th percentile
-    double p999 = 0; ///< 99.9th percentile
-    double max = 0;  ///< maximum
+    double mean = 0;         ///< arithmetic mean
+    double p50 = 0;          ///< median
+    double p99 = 0;          ///< 99th percentile
+    double p999 = 0;         ///< 99.9th percentile
+    double max = 0;          ///< maximum
 };
 
 /// The program's part of a step. Its exceptions end the loop with zero force, and run() rethrows them.

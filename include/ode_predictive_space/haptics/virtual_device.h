@@ -31,11 +31,11 @@ struct HandModel
 struct VirtualDeviceSettings
 {
     Capabilities capabilities = device_preset("PHANToM Desktop"); ///< of the device
-    HandModel hand;
-    double encoder_step = 0.00003; ///< m, >= 0; quantisation of positions; 0: none
-    double velocity_cutoff = 100;  ///< Hz, > 0; first-order low-pass filter of velocities
-    int position_delay = 0;        ///< ticks, >= 0; of positions; a tick is one read()
-    int force_delay = 0;           ///< ticks, >= 0; of forces
+    HandModel hand;                                               ///< that moves the device
+    double encoder_step = 0.00003;                                ///< m, >= 0; quantisation of positions; 0: none
+    double velocity_cutoff = 100; ///< Hz, > 0; first-order low-pass filter of velocities
+    int position_delay = 0;       ///< ticks, >= 0; of positions; a tick is one read()
+    int force_delay = 0;          ///< ticks, >= 0; of forces
 };
 
 /// Target position of the hand, m, at a time (s) after the first read().
