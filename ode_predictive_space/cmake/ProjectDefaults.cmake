@@ -23,8 +23,9 @@ set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
-# The length of a path to the folder of the build would stay in the libraries, also in those that are installed.
-if(PROJECT_IS_TOP_LEVEL)
+# The length of a path to the folder of the build would stay in the libraries, also in those that are installed. Builds with sanitizers
+# are not installed, and their tests run copies of programs in other folders.
+if(PROJECT_IS_TOP_LEVEL AND NOT ODE_PREDICTIVE_SPACE_SANITIZERS)
     set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 endif()
 
