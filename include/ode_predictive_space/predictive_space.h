@@ -56,8 +56,8 @@ extern "C" {
  * **Threads.** dSpaceCollide() on a space, also as dSpaceCollide2() of the space with itself, is for one thread at a time; a
  * call beside that of another thread is refused with a message, and calls no callback. Several threads may call
  * dSpaceCollide2() on one space at once while nothing is moved, added, removed or set: the first query updates the space, later
- * ones only read. Several threads may also make forecast queries at once, which wait for one another. Each thread needs a probe
- * of its own, and ODE's data (dAllocateODEDataForThread()). A query by the aabb function of a user class to the space that
+ * ones only read. Several threads may also make forecast queries at once, which wait for one another. Each thread needs a separate
+ * probe, and ODE's data (dAllocateODEDataForThread()). A query by the aabb function of a user class to the space that
  * needs the box is refused with a message. No other function may be called on the space meanwhile.
  *
  * **Errors.** Each function reports an invalid argument through ODE's message handler (dSetMessageHandler()), with the name of

@@ -1,4 +1,4 @@
-# What follows from the version of the project: ODE_PREDICTIVE_SPACE_INTERFACE, the version of the binary interface. It is in the
+# ODE_PREDICTIVE_SPACE_INTERFACE is the version of the binary interface; it follows from the version of the project. It is in the
 # names of the shared libraries (SONAME) and of the nodes of their symbols. Below 1.0, each minor version has its own interface.
 
 set(ODE_PREDICTIVE_SPACE_INTERFACE ${PROJECT_VERSION_MAJOR})

@@ -29,7 +29,7 @@ constexpr double light_grip = 0.8;
 /// Factor for encoders: at 0.75 of the passive stiffness, such a grip oscillates by two encoder steps.
 constexpr double margin_of_encoders = 0.6;
 
-/// The stiffness in the hand does not depend on the scale. Where the damping is unknown, it is limited to the stable
+/// The stiffness in the hand does not depend on the scale. If the damping is unknown, it is limited to the stable
 /// stiffness of a light grip.
 std::shared_ptr<ForceLaw> usual_law(const Capabilities &capabilities, const WorkspaceMapping &mapping,
                                     const RenderSettings &settings)

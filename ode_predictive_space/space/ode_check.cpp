@@ -50,7 +50,7 @@ bool several_copies()
     return copies.size() > 1;
 }
 #else
-// Where programs have a static ODE, they have one copy.
+// A program with a static ODE has one copy.
 bool several_copies()
 {
     return false;

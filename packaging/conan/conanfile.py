@@ -31,6 +31,10 @@ class OdePredictiveSpace(ConanFile):
         for pattern in EXPORTED:
             copy(self, pattern, Path(self.recipe_folder) / SOURCES, self.export_sources_folder)
 
+    def requirements(self):
+        if self.settings.arch != "x86_64":
+            self.requires("simde/[>=0.7.4]")
+
     def layout(self):
         cmake_layout(self)
 

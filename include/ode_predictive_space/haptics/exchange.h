@@ -12,8 +12,8 @@ namespace ode_predictive_space::haptics
 {
 /// Triple buffer: the latest of the values that one thread publishes, for one other thread.
 ///
-/// Of three slots, one is the writer's draft, one the reader's copy, and one between them. Publishing and taking swap
-/// the own slot with the middle one, so no thread waits or sees a partial value. A new value replaces one that was not
+/// There are three slots: the writer's draft, the reader's copy, and one between them. Publishing swaps the draft with the
+/// middle slot, and taking swaps the copy with it, so no thread waits or sees a partial value. A new value replaces one that was not
 /// taken.
 template <typename Value> class Snapshot
 {

@@ -47,7 +47,7 @@ public:
     Float4() = default;
     Float4(float x, float y, float z, float w) : lanes_(_mm_setr_ps(x, y, z, w)) {}
 
-    /// The same number in all lanes.
+    /// One number in all lanes.
     static Float4 all(float value) { return Float4(_mm_set1_ps(value)); }
 
     static Float4 load(const float *four) { return Float4(_mm_loadu_ps(four)); }
@@ -56,8 +56,8 @@ public:
     /// Each double rounded to the nearest float; the fourth lane is 0.
     static Float4 nearest(const double *three) { return joined(_mm_loadu_pd(three), _mm_load_sd(three + 2)); }
 
-    /// The same of three doubles that are `stride` apart, each loaded alone: a wider load of numbers that were stored one by
-    /// one a moment ago would stall until the stores have finished.
+    /// Three doubles that are `stride` apart, rounded likewise. Each is loaded separately, because a wider load of numbers that were
+    /// just stored one by one would stall until the stores have finished.
     static Float4 nearest_of_stored(const double *first, std::ptrdiff_t stride)
     {
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
@@ -140,7 +140,7 @@ public:
     /// In each lane the larger or smaller number; b where one is NaN.
     friend Float4 max(Float4 a, Float4 b) { return Float4(_mm_max_ps(a.lanes_, b.lanes_)); }
     friend Float4 min(Float4 a, Float4 b) { return Float4(_mm_min_ps(a.lanes_, b.lanes_)); }
-    /// By shifts, which need no constant from memory.
+    /// It is computed by shifts, which need no constant from memory.
     friend Float4 abs(Float4 a)
     {
         return Float4(_mm_castsi128_ps(_mm_srli_epi32(_mm_slli_epi32(_mm_castps_si128(a.lanes_), 1), 1)));

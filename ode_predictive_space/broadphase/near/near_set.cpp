@@ -6,10 +6,15 @@
 
 namespace ode_predictive_space
 {
+void NearSet::begin_report()
+{
+    free_memory(newly_resting_); // few reports fill it
+    activate_disturbed();
+}
+
 CandidatePair *NearSet::report(const OverlapTest &test, UpdateNumber update, CandidatePair *room)
 {
-    free_memory(newly_resting_); // it is filled in few reports
-    activate_disturbed();
+    begin_report();
     CandidatePair *end = report_by_box(test, room);
     if (is_time_to_rest())
     {
@@ -21,8 +26,7 @@ CandidatePair *NearSet::report(const OverlapTest &test, UpdateNumber update, Can
 
 CandidatePair *NearSet::report(ShapeTest &test, UpdateNumber update, CandidatePair *room)
 {
-    free_memory(newly_resting_); // it is filled in few reports
-    activate_disturbed();
+    begin_report();
     const bool some_may_rest = is_time_to_rest();
     CandidatePair *end = report_by_box(test.boxes(), room);
     if (by_shape_.size() > 0)

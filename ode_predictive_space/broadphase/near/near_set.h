@@ -143,6 +143,7 @@ private:
         std::uint32_t place;  ///< among those that are written
     };
 
+    void begin_report();
     CandidatePair *report_by_box(const OverlapTest &test, CandidatePair *room);
     CandidatePair *report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room);
     void make_looks(const ShapeTest &test);

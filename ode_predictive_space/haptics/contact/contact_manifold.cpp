@@ -67,8 +67,8 @@ void ContactManifold::recognise(const Vector3 &tool, TouchView view, double dt, 
     }
 }
 
-/// Of the object's touches in the tick before that no other touch has matched, the one whose normal agrees best. A touch without a side of entry may
-/// have changed the side, and is the only one of its object.
+/// Returns the object's touch in the tick before whose normal agrees best, among those that no other touch has matched. A touch
+/// without a side of entry may have changed the side, and is the only one of its object.
 const Touch *ContactManifold::known_before(const Touch &touch)
 {
     std::size_t best = before_.size();

@@ -349,7 +349,7 @@ double ContactTracker::yield_at(const SlidePlane &plane) const
     return yield_of(stiffness, mobility, std::max(tick_length_, geom.step()));
 }
 
-/// Computes the shares of the last slide's planes. Where all objects hold the proxy together and one is movable, all
+/// Computes the shares of the last slide's planes. If all objects hold the proxy together and one is movable, all
 /// yield: exact shares grow without bound where normals are close to dependent, and would throw light bodies. A body
 /// that responds only in the next step of the scene always yields.
 bool ContactTracker::share_out(TouchView view)
