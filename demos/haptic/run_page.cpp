@@ -53,7 +53,7 @@ Plot contacts_plot(const RunResult &result)
     Curve surprises{"contact that was not predicted", {}, Curve::Style::dots};
     for (const LoggedContact &contact : result.contacts)
     {
-        if (contact.foretold)
+        if (contact.predicted)
         {
             warnings.points.push_back({contact.time, 1e3 * contact.warning});
             delays.points.push_back({contact.time, 1e3 * (contact.time - contact.forecast)});

@@ -152,7 +152,7 @@ nlohmann::json json_of_space(const RunResult &result)
         json["bytes"] = stats.bytes;
         const EncounterSummary &encounters = result.encounters;
         json["encounters"] = {{"contacts", encounters.contacts},
-                              {"foretold", encounters.foretold},
+                              {"predicted", encounters.predicted},
                               {"late", encounters.late},
                               {"missed", encounters.missed},
                               {"mean_warning_ms", 1e3 * encounters.mean_warning},

@@ -287,7 +287,7 @@ def draw_tick(folder):
     width, height = 160, 62
     left, right = 270, 520
     stages = (
-        (left, 202, "look", "is the tight box inside\nthe envelope?"),
+        (left, 202, "measure", "is the tight box inside\nthe envelope?"),
         (left, 108, "predict", "path, deviation, reach:\na new envelope"),
         (left, 14, "index", "list, tree or sweep:\nwhose envelopes overlap?"),
         (right, 108, "report", "exact test of the boxes\n(or shapes) of now"),

@@ -133,7 +133,7 @@ typedef struct dPredictiveSpaceCounters
                                   near: other classes may have changed without a sign. */
     unsigned long postponed; /**< pairs now in the near set whose boxes may overlap and that are not tested, because
                                   their shapes cannot touch yet; see dPredictiveProximityShape */
-    unsigned long looks;     /**< searches for the gap between two shapes */
+    unsigned long gap_checks; /**< searches for the gap between two shapes */
 } dPredictiveSpaceCounters;
 
 /**

@@ -25,10 +25,10 @@ void Broadphase::update(Scene &scene, bool is_tick)
         start_over();
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
-    clock_.questions = is_tick ? 0 : clock_.questions + (clock_.moves > 0);
-    const bool asks_alone = clock_.questions > tuning::questions_to_ticks && clock_.moves > 0;
-    const bool time_passes = clock_.unticked > 0 && (is_tick || asks_alone);
-    if (!looks_.listed.has_work() && clock_.moves == 0 && !time_passes && !near_.has_retired() &&
+    clock_.queries = is_tick ? 0 : clock_.queries + (clock_.moves > 0);
+    const bool only_queries = clock_.queries > tuning::queries_to_ticks && clock_.moves > 0;
+    const bool time_passes = clock_.unticked > 0 && (is_tick || only_queries);
+    if (!listing_.listed.has_work() && clock_.moves == 0 && !time_passes && !near_.has_retired() &&
         !pairing_.waiting.has_work())
         return;
     interrupted_ = true;
@@ -40,7 +40,7 @@ void Broadphase::update(Scene &scene, bool is_tick)
         clock_.unticked = 0;
         predictor_.sample(scene, proxies_, clock_.now);
     }
-    look(scene); // listed objects -> batch_
+    measure_listed(scene); // listed objects -> batch_
     near_.drop_retired([this](const CandidatePair &pair) { Predictor::note_tests(proxies_, pair); });
     if (!batch_.empty())
         predict(scene); // batch_ -> envelopes
@@ -63,17 +63,17 @@ void Broadphase::find_new_pairs(Scene &scene)
 }
 
 // Measures the listed objects. Those that are not in their envelopes get new ones.
-void Broadphase::look(Scene &scene)
+void Broadphase::measure_listed(Scene &scene)
 {
-    if (!looks_.listed.has_work())
+    if (!listing_.listed.has_work())
         return;
-    clear_scratch(looks_.current);
-    looks_.listed.for_each([this](ProxyId id) {
+    clear_scratch(listing_.current);
+    listing_.listed.for_each([this](ProxyId id) {
         if (!proxies_.places[id].watches_solid())
-            looks_.current.push_back(id);
+            listing_.current.push_back(id);
     });
-    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data(), origin_);
-    looks_.listed.for_each([this](ProxyId id) {
+    scene.measure(listing_.current.data(), listing_.current.size(), proxies_.places.data(), origin_);
+    listing_.listed.for_each([this](ProxyId id) {
         Place &place = proxies_.places[id];
         place.note_doubtful_move(clock_.update);
 #ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
@@ -83,7 +83,7 @@ void Broadphase::look(Scene &scene)
         const bool holds = place.holds() && !place.is_boundless();
 #endif
         counters_.violations += !holds && place.has_envelope();
-        const bool is_requested = looks_.requested.contains(id);
+        const bool is_requested = listing_.requested.contains(id);
         if (holds && !is_requested)
             return near_.disturb(id);
         if (is_requested)
@@ -91,8 +91,8 @@ void Broadphase::look(Scene &scene)
         near_.retire(id);
         batch_.add(id);
     });
-    looks_.listed.clear();
-    looks_.requested.clear();
+    listing_.listed.clear();
+    listing_.requested.clear();
 }
 
 void Broadphase::predict(Scene &scene)
@@ -128,25 +128,25 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
     const bool by_shape = proximity_test_ == ProximityTest::shape;
     for (const CandidatePair &pair : pairing_.found)
         if (!envelopes_apart(proxies_.places[pair.first], proxies_.places[pair.second]))
-            near_.add(pair, by_shape && proxies_.is_worth_a_look(pair.first, pair.second));
+            near_.add(pair, by_shape && proxies_.is_checked_by_shape(pair.first, pair.second));
     clear_scratch(pairing_.found);
 }
 
 // Objects that may be near others are watched by their tight boxes. A new envelope around a sphere becomes one around that box.
 void Broadphase::make_tight(Scene &scene, const Batch &batch)
 {
-    clear_scratch(looks_.current);
+    clear_scratch(listing_.current);
     for (const CandidatePair &pair : pairing_.found)
         for (ProxyId id : {pair.first, pair.second})
             if (Place &place = proxies_.places[id]; place.watches_centre())
             {
                 place.stop_watching();
-                looks_.current.push_back(id);
+                listing_.current.push_back(id);
             }
-    if (looks_.current.empty())
+    if (listing_.current.empty())
         return;
-    scene.measure(looks_.current.data(), looks_.current.size(), proxies_.places.data(), origin_);
-    for (ProxyId id : looks_.current)
+    scene.measure(listing_.current.data(), listing_.current.size(), proxies_.places.data(), origin_);
+    for (ProxyId id : listing_.current)
         if (batch.contains(id))
             proxies_.places[id].tighten(proxies_.records[id].radius);
 }
@@ -172,7 +172,7 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
                            Float4::all(certain) + Float4::all(Place::most_doubts) * doubt};
     if (proximity_test_ == ProximityTest::shape)
     {
-        ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.looks);
+        ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.gap_checks);
         end = near_.report(of_shapes, last, room.data());
         shapes_.clear_renewed();
     }
@@ -199,7 +199,7 @@ void Broadphase::start_over()
         shapes_.start(proxies_.size());
     proxies_.members().for_each([this](ProxyId id) {
         proxies_.places[id].forget_envelope();
-        look_at(id);
+        list(id);
     });
 }
 
@@ -307,8 +307,8 @@ ProxyId Broadphase::add()
 // ODE removes geoms in their destructors. When memory runs out here, the next update starts over.
 void Broadphase::remove(ProxyId id)
 {
-    looks_.listed.erase(id);
-    looks_.requested.erase(id);
+    listing_.listed.erase(id);
+    listing_.requested.erase(id);
     pairing_.waiting.erase(id);
     idle_.forget(id);
     shapes_.forget(id);
@@ -348,8 +348,8 @@ void Broadphase::resize_stages()
     batch_.resize(size);
     pairing_.batch.resize(size);
     pairing_.waiting.resize(size);
-    looks_.listed.resize(size);
-    looks_.requested.resize(size);
+    listing_.listed.resize(size);
+    listing_.requested.resize(size);
 }
 
 // Most objects are gone. What is known of the others is given up with the memory: the next update finds it again.
@@ -367,7 +367,7 @@ void Broadphase::trim()
     near_.release();
     batch_ = {};
     pairing_.batch = {};
-    free_memory(looks_.current);
+    free_memory(listing_.current);
     free_memory(pairing_.found);
     resize_stages();
 }
@@ -424,7 +424,7 @@ std::size_t Broadphase::postponed_pairs() const
 std::size_t Broadphase::bytes() const
 {
     return proxies_.bytes() + shapes_.bytes() + idle_.bytes() + predictor_.bytes() + index_.bytes() + near_.bytes() +
-           bytes_of(looks_.current) + batch_.bytes() + pairing_.batch.bytes() + pairing_.waiting.bytes() +
-           looks_.listed.bytes() + looks_.requested.bytes() + bytes_of(pairing_.found);
+           bytes_of(listing_.current) + batch_.bytes() + pairing_.batch.bytes() + pairing_.waiting.bytes() +
+           listing_.listed.bytes() + listing_.requested.bytes() + bytes_of(pairing_.found);
 }
 } // namespace ode_predictive_space

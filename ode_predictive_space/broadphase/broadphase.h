@@ -1,9 +1,9 @@
 // The broad phase with predictive scheduling. In: objects by number, and notices of their moves. Out: at each tick, the pairs
 // whose bounding boxes overlap.
 //
-//     notices -> look -> predict -> index -> near set -> pairs
+//     notices -> measure -> predict -> index -> near set -> pairs
 //
-// Invariant: at each tick, after look, every object lies inside its envelope. Therefore a pair whose envelopes are apart is apart,
+// Invariant: at each tick, after measure, every object lies inside its envelope. Therefore a pair whose envelopes are apart is apart,
 // and every pair whose bounding boxes overlap is in the near set.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
@@ -36,12 +36,12 @@ struct Counters
     std::uint64_t violations = 0;
     std::uint64_t repredictions = 0;
     std::uint64_t sweeps = 0;
-    std::uint64_t looks = 0; ///< at gaps between shapes
+    std::uint64_t gap_checks = 0; ///< between two shapes
 };
 
 /// Owns the stages of the tick, and hands the results of each to the next. No stage knows another.
 ///
-/// When an exception leaves a function here, what was known is given up: the next update looks at all objects, and is exact.
+/// When an exception leaves a function here, what was known is given up: the next update measures all objects, and is exact.
 class Broadphase
 {
 public:
@@ -88,7 +88,7 @@ public:
     void mark_moved(ProxyId id)
     {
         note_move(proxies_.places[id]);
-        look_at(id);
+        list(id);
     }
     /// The object is made of other data.
     void mark_changed(ProxyId id)
@@ -220,26 +220,26 @@ private:
         // Only the pose has changed: a change of the size has a separate notice, with an unchanged pose.
         if (followed == Followed::left_as_measured)
         {
-            looks_.listed.insert(id);
+            listing_.listed.insert(id);
             followed = Followed::moved;
         }
         if (followed == Followed::moved)
             note_move(place);
         return followed;
     }
-    void look_at(ProxyId id)
+    void list(ProxyId id)
     {
         proxies_.places[id].stop_watching();
-        looks_.listed.insert(id);
+        listing_.listed.insert(id);
     }
     void request(ProxyId id)
     {
-        looks_.requested.insert(id);
-        look_at(id);
+        listing_.requested.insert(id);
+        list(id);
     }
 
     void update(Scene &scene, bool is_tick);
-    void look(Scene &scene);
+    void measure_listed(Scene &scene);
     void predict(Scene &scene);
     void postpone_pairs();
     void find_pairs(Scene &scene);
@@ -260,14 +260,14 @@ private:
     struct Clock
     {
         Tick now = 0;
-        UpdateNumber update = 1;     // that will see the moves that are noted now
-        std::size_t moves = 0;       // objects that have moved since the last update
-        std::size_t unticked = 0;    // objects that had moved in updates since the last tick
-        std::uint32_t questions = 0; // updates after moves since the last tick
+        UpdateNumber update = 1;   // that will see the moves that are noted now
+        std::size_t moves = 0;     // objects that have moved since the last update
+        std::size_t unticked = 0;  // objects that had moved in updates since the last tick
+        std::uint32_t queries = 0; // updates after moves since the last tick
     };
 
     // What the next look is to see. Maybe some that are gone, or have hardly moved.
-    struct Looks
+    struct Listing
     {
         Worklist listed;              // those whose solid is watched were measured by the last notice
         IdSet requested;              // of these, those that get new envelopes in any case
@@ -294,7 +294,7 @@ private:
     double shape_margin_ = 0;
     Counters counters_;
     Clock clock_;
-    Looks looks_;
+    Listing listing_;
     Batch batch_; // get new envelopes in this update
     Pairing pairing_;
     bool interrupted_ = false;   // something has begun and not ended: what was derived from positions may be wrong
@@ -311,7 +311,7 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
     if (is_measured && is_finite(place.tight_lanes()) && same_size())
     {
         note_move(place);
-        looks_.listed.insert(id);
+        listing_.listed.insert(id);
         return true;
     }
     if (followed != Followed::same || !same_size())
@@ -322,7 +322,7 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
     // The object may have moved by less than single precision can express: its pairs must not come to rest, and by shape the move
     // adds to its travel.
     place.note_doubtful_move(clock_.update);
-    looks_.listed.demand();
+    listing_.listed.demand();
     return false;
 }
 } // namespace ode_predictive_space

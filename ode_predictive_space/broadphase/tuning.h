@@ -60,7 +60,7 @@ constexpr float far_in_extents = 4, far_in_sizes = 1e4f;
 
 /// Questions after moves, one after the other without a tick, from which each such question counts as one: the program only asks, and
 /// its objects must be predicted, too. (ask)
-constexpr std::uint32_t questions_to_ticks = 16;
+constexpr std::uint32_t queries_to_ticks = 16;
 
 /// Collisions of the space without any move after which objects count as still. Some programs collide more than once per step.
 constexpr std::uint64_t still_collisions = 8;
@@ -117,10 +117,10 @@ constexpr unsigned reports_per_rest = 32;
 /// shapes up to date. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
 constexpr float cost_of_contacts = 1700;
 /// Instructions of a look, beside the search for a gap; and of the search for each unit of Gap::work.
-constexpr float cost_of_look = 1200, cost_of_reach = 150;
+constexpr float cost_of_check = 1200, cost_of_reach = 150;
 /// The part of that which reports pay in for looks; and reports whose whole cost an account begins with, for each pair. In the first
 /// 500 reports, the one is as much as the other. (drum, meshes in meshes)
-constexpr float part_for_looks = 1.0f / 64, allowed_reports = 8;
+constexpr float part_for_checks = 1.0f / 64, allowed_reports = 8;
 
 /// How far from a shape the nearest triangle of a mesh is looked for, in radii of the shape. (room 1,000)
 constexpr double surface_search = 8;

@@ -55,7 +55,7 @@ private:
 
     Recording &recording_;
     std::vector<Geom> geoms_;
-    bool has_collide_ = false, has_question_ = false;
+    bool has_collide_ = false, has_query_ = false;
 };
 
 Recording::Recording(std::vector<char> bytes) : bytes_(std::move(bytes))
@@ -448,10 +448,10 @@ void Recording::Check::take_event(const Record &record)
     const bool first_is_space = is_space_class(geoms_[first].geom_class);
     if (!first_is_space && !is_space_class(geoms_[second].geom_class))
         cursor.refuse("the geom that is asked is no space");
-    if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)
+    if (is_collide ? !has_collide_ : !has_collide_ && !has_query_)
         recording_.first_space_ = first_is_space ? first : second;
     has_collide_ |= is_collide;
-    has_question_ = true;
+    has_query_ = true;
     recording_.events_.push_back({recording_.records_.size()});
 }
 

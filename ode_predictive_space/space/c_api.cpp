@@ -200,8 +200,8 @@ int dPredictiveSpaceGetTimeOfProximity(dSpaceID space, dGeomID first, dGeomID se
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self || !checked_geom(__func__, "first", self, first) || !checked_geom(__func__, "second", self, second))
         return 0;
-    const auto inquiry = self->begin_inquiry(__func__);
-    if (!inquiry)
+    const auto lock = self->begin_query(__func__);
+    if (!lock)
         return 0;
     double apart_until;
     const std::optional<double> time = self->time_of_proximity(first, second, &apart_until);
@@ -220,8 +220,8 @@ int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncou
         refuse(__func__, max < 0 ? "max" : "out", max < 0 ? "it is negative" : "it is null");
         return 0;
     }
-    const auto inquiry = self->begin_inquiry(__func__);
-    if (!inquiry)
+    const auto lock = self->begin_query(__func__);
+    if (!lock)
         return 0;
     const std::vector<dxPredictiveSpace::Encounter> met = self->encounters(geom);
     const int count = std::min(max, static_cast<int>(met.size()));
@@ -267,7 +267,7 @@ void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *count
     dPredictiveSpaceCounters known; // on Windows, their type is narrower than ours
     known.unchanged = static_cast<unsigned long>(self->unchanged());
     known.postponed = static_cast<unsigned long>(broadphase.postponed_pairs());
-    known.looks = static_cast<unsigned long>(broadphase.counters().looks);
+    known.gap_checks = static_cast<unsigned long>(broadphase.counters().gap_checks);
     std::memset(counters, 0, size);
     std::memcpy(counters, &known, std::min<std::size_t>(size, sizeof known));
 }

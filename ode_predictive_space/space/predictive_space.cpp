@@ -287,7 +287,7 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     const bool nested_call = lock_count > 0;
     const Lock lock(this);
     ticks_ += !nested_call;
-    if (!predicts_ && looks_at_shapes())
+    if (!predicts_ && tests_shapes())
         start_predicting();
     if (predicts_)
         collide_predicted(nested_call, data, callback);

@@ -43,7 +43,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
 
     /// Calls catch_up(). @return a lock under which other threads' queries that write wait; without a mutex if catch_up()
     /// failed.
-    [[nodiscard]] std::unique_lock<std::recursive_mutex> begin_inquiry(const char *function);
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> begin_query(const char *function);
 
     void geom_changed(dxGeom *geom);
 
@@ -98,22 +98,22 @@ private:
     ode_predictive_space::GeomScene scene() const;
 
     // spatial_query.cpp
-    struct Question
+    struct Query
     {
         dxGeom *geom;
         std::optional<ode_predictive_space::RayProbe> line; // for a ray that is followed along its line
     };
-    Question question_of(dxGeom *geom);
+    Query query_of(dxGeom *geom);
     bool is_caught_up() const;
     bool is_free(const char *function) const;
     void ask_each(void *data, dxGeom *geom, dNearCallback *callback);
-    void answer(dxGeom *other, const Question &question, bool is_on_line, void *data, dNearCallback *callback);
+    void answer(dxGeom *other, const Query &query, bool is_on_line, void *data, dNearCallback *callback);
     bool compute_boxes(const char *function);
     void compute_box(dxGeom *geom);
     void compute_box_of_probe(dxGeom *geom);
     void find_off_line();
-    std::size_t find_near(const Question &question, std::vector<ProxyId> &found);
-    bool may_touch(dxGeom *geom, const Question &question, bool is_on_line);
+    std::size_t find_near(const Query &query, std::vector<ProxyId> &found);
+    bool may_touch(dxGeom *geom, const Query &query, bool is_on_line);
     bool shapes_may_meet(dxGeom *geom, dxGeom *probe);
     ode_predictive_space::ConvexShape shape_now(dxGeom *geom);
     std::size_t steps_at_once() const;
@@ -140,7 +140,7 @@ private:
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);
     // Among few primitives, the shape test does not pay.
-    bool looks_at_shapes() { return by_shape() && (predicts_ || has_geoms_with_data()); }
+    bool tests_shapes() { return by_shape() && (predicts_ || has_geoms_with_data()); }
     bool has_geoms_with_data();
     void collide_each(void *data, dNearCallback *callback);
     void clean_each();

@@ -42,7 +42,7 @@ inline bool dxPredictiveSpace::is_caught_up() const
     return true;
 }
 
-std::unique_lock<std::recursive_mutex> dxPredictiveSpace::begin_inquiry(const char *function)
+std::unique_lock<std::recursive_mutex> dxPredictiveSpace::begin_query(const char *function)
 {
     std::unique_lock<std::recursive_mutex> hold(access_.upkeep);
     if (!catch_up(function))
@@ -55,18 +55,18 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     dAASSERT(geom && callback);
     const Lock lock(this);
     // By shape, an update must first find meshes that have other data now.
-    if (static_cast<std::size_t>(count) <= tuning::few_objects && !looks_at_shapes())
+    if (static_cast<std::size_t>(count) <= tuning::few_objects && !tests_shapes())
         return ask_each(data, geom, callback);
     if (!is_caught_up() && !catch_up("dSpaceCollide2"))
         return;
     std::vector<ProxyId> found = lock.is_only_one ? std::exchange(found_, {}) : std::vector<ProxyId>();
     found.clear();
-    const Question question = question_of(geom);
-    const std::size_t on_line = find_near(question, found);
+    const Query query = query_of(geom);
+    const std::size_t on_line = find_near(query, found);
     const GeomScene now = scene();
     for_each_prefetched(
         found.size(), tuning::turns_ahead,
-        [&](std::size_t i) { answer(geoms_[found[i]], question, i < on_line, data, callback); },
+        [&](std::size_t i) { answer(geoms_[found[i]], query, i < on_line, data, callback); },
         [&](std::size_t i) { now.prefetch_geom(found[i]); });
     if (lock.is_only_one)
         found_ = std::move(found);
@@ -79,12 +79,12 @@ void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callba
         all_boxes_known &= (flags_beside_others(other) & GEOM_AABB_BAD) == 0;
     if (!all_boxes_known && !compute_boxes("dSpaceCollide2"))
         return;
-    const Question question = question_of(geom);
+    const Query query = query_of(geom);
     for (dxGeom *other = first; other; other = other->next)
-        answer(other, question, false, data, callback);
+        answer(other, query, false, data, callback);
 }
 
-dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
+dxPredictiveSpace::Query dxPredictiveSpace::query_of(dxGeom *geom)
 {
     if (flags_beside_others(geom) & GEOM_AABB_BAD)
         compute_box_of_probe(geom);
@@ -103,33 +103,30 @@ dxPredictiveSpace::Question dxPredictiveSpace::question_of(dxGeom *geom)
     return true;
 }
 
-[[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Question &question, bool is_on_line,
+[[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Query &query, bool is_on_line,
                                                              void *data, dNearCallback *callback)
 {
     // Checked here to save the call of may_touch(): a space of primitives has no other pairs.
-    const auto are_primitives = [&] {
-        return by_shape() && !question.line && !has_data(other) && !has_data(question.geom);
-    };
+    const auto are_primitives = [&] { return by_shape() && !query.line && !has_data(other) && !has_data(query.geom); };
     const int flags = flags_beside_others(other);
     if (!enabled(flags))
         return;
     if (flags & GEOM_AABB_BAD)
         compute_box(other);
-    if (aabbs_overlap(other, question.geom) && bits_agree(other, question.geom) &&
-        wants_callback(other, question.geom) &&
-        (by_box() || are_primitives() || may_touch(other, question, is_on_line)))
-        callback(data, other, question.geom);
+    if (aabbs_overlap(other, query.geom) && bits_agree(other, query.geom) && wants_callback(other, query.geom) &&
+        (by_box() || are_primitives() || may_touch(other, query, is_on_line)))
+        callback(data, other, query.geom);
 }
 
 // For the sphere and shape tests: can the probe touch a geom of this space? @pre their boxes overlap.
-[[gnu::noinline]] bool dxPredictiveSpace::may_touch(dxGeom *geom, const Question &question, bool is_on_line)
+[[gnu::noinline]] bool dxPredictiveSpace::may_touch(dxGeom *geom, const Query &query, bool is_on_line)
 {
-    if (question.line && !question.line->overlaps(FloatBox::around(to_box(geom->aabb))) &&
+    if (query.line && !query.line->overlaps(FloatBox::around(to_box(geom->aabb))) &&
         (is_on_line || !touched_off_line(geom)))
         return false;
     if (by_sphere())
-        return spheres_may_touch(geom, question.geom) && ray_may_touch(geom, question.geom);
-    return question.geom->type == dRayClass || shapes_may_meet(geom, question.geom);
+        return spheres_may_touch(geom, query.geom) && ray_may_touch(geom, query.geom);
+    return query.geom->type == dRayClass || shapes_may_meet(geom, query.geom);
 }
 
 // For two primitives a check costs as much as ODE's collider. The hull of a probe is known only if the probe is in this space.
@@ -164,7 +161,7 @@ void dxPredictiveSpace::make_hulls(const char *function)
         if (auto *nested = dynamic_cast<dxPredictiveSpace *>(geom))
             nested->make_hulls(function);
     const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
-    if (!looks_at_shapes() || !is_free(function))
+    if (!tests_shapes() || !is_free(function))
         return;
     start_predicting();
     poll_moves();
@@ -200,11 +197,11 @@ void dxPredictiveSpace::make_hulls(const char *function)
 
 // Finds all geoms whose bounding box may overlap the probe's. A ray is followed along its line; geoms that it can touch off the
 // line are found by its box, and come last. @return the number of geoms found along the line.
-std::size_t dxPredictiveSpace::find_near(const Question &question, std::vector<ProxyId> &found)
+std::size_t dxPredictiveSpace::find_near(const Query &query, std::vector<ProxyId> &found)
 {
     const Origin &origin = broadphase_.origin();
-    const FloatBox box = FloatBox::around(origin.around(to_box(question.geom->aabb)));
-    const std::optional<RayProbe> line = question.line ? line_of_ray(question.geom, origin) : std::nullopt;
+    const FloatBox box = FloatBox::around(origin.around(to_box(query.geom->aabb)));
+    const std::optional<RayProbe> line = query.line ? line_of_ray(query.geom, origin) : std::nullopt;
     if (!line)
     {
         broadphase_.walk(BoxProbe(box), [&](ProxyId id) { found.push_back(id); });

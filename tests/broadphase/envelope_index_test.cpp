@@ -53,7 +53,7 @@ public:
             if (random_.chance(0.1))
             {
                 index_.remove(store_, id);
-                EXPECT_EQ(store_.records[id].shelf, Shelf::none);
+                EXPECT_EQ(store_.records[id].tree_kind, TreeKind::none);
                 store_.places[id].forget_envelope();
                 present_.erase(id);
             }

@@ -183,14 +183,14 @@ const Situation situations[] = {
          gas.move();
      },
      tick, Matter::shapes, dPredictiveProximitySphere},
-    {"first_looks_at_shapes", 60, [](Gas &) {}, tick, Matter::shapes, dPredictiveProximityShape},
+    {"first_tests_of_shapes", 60, [](Gas &) {}, tick, Matter::shapes, dPredictiveProximityShape},
     {"first_tick_with_predictions_by_shape", 60, [](Gas &) {},
      [](Gas &gas) {
          dPredictiveSpaceGetEncounters(gas.space(), gas.geom(0), nullptr, 0);
          tick(gas);
      },
      Matter::shapes, dPredictiveProximityShape},
-    {"looks_at_shapes", 60,
+    {"tests_shapes", 60,
      [](Gas &gas) {
          gas.run(20);
          gas.move();

@@ -60,7 +60,7 @@ def notice_faults():
         "another_size_of_what_has_left", "notices", place, "if (!is_inside & changed && is_finite(box))",
         "if (!is_inside && is_finite(box))", reports)
     yield Fault(
-        "what_has_left_is_not_listed", "notices", entry, "looks_.listed.insert(id);\n            followed =",
+        "what_has_left_is_not_listed", "notices", entry, "listing_.listed.insert(id);\n            followed =",
         "followed =", reports)
     yield Fault(
         "repeated_centre_taken_for_a_move", "notices", place,
@@ -79,7 +79,7 @@ def notice_faults():
     yield Fault(
         "growth_of_a_sphere_ignored", "notices", entry, "object.radius() <= place.watched_radius()", "true", reports)
     yield Fault(
-        "doubtful_moves_ignored", "notices", entry, "place.note_doubtful_move(clock_.update);\n    looks_.listed.demand();", "",
+        "doubtful_moves_ignored", "notices", entry, "place.note_doubtful_move(clock_.update);\n    listing_.listed.demand();", "",
         (("shape_contract", "ShapeProximity.*"),))
     yield Fault(
         "stretched_on_its_body", "notices", SOURCES + "space/noticed_geom.h",
@@ -132,8 +132,8 @@ def predict_faults():
         "no_step_before_the_first_sample", "predict", SOURCES + "prediction/step_estimate.h", "double step_ = 0.01;",
         "double step_ = 0;", predictions)
     yield Fault(
-        "a_tick_ends_no_row_of_questions", "predict", tick, "clock_.questions = is_tick ? 0 : clock_.questions + (clock_.moves > 0);",
-        "clock_.questions += !is_tick && clock_.moves > 0;", (("times", "Times.*"),))
+        "a_tick_ends_no_row_of_questions", "predict", tick, "clock_.queries = is_tick ? 0 : clock_.queries + (clock_.moves > 0);",
+        "clock_.queries += !is_tick && clock_.moves > 0;", (("times", "Times.*"),))
     yield Fault(
         "margin_left_out_of_times", "predict", tick, "touching_distance(one, other, shape_margin_)", "touching_distance(one, other, 0)",
         (("times", "Times.*"),))
@@ -169,7 +169,7 @@ def predict_faults():
     yield Fault("farthest_in_an_endless_envelope_forgotten", "predict", predictor, "    note_farthest(tight);\n    centre", "    centre",
         (("broadphase", "Predictor.TheFarthest*"),))
     yield Fault(
-        "predicted_again_and_again", "predict", tick, "    looks_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))
+        "predicted_again_and_again", "predict", tick, "    listing_.requested.clear();\n", "", (("broadphase", "Tick.*:Predictor.*"),))
     yield Fault(
         "envelope_taken_along_to_the_wrong_place", "predict", predictor, "    if (!place.holds() || !place.has_end())\n        return false;\n", "",
         (("broadphase", "Predictor.*"),))
@@ -246,7 +246,7 @@ def index_faults():
         "if (boxes_.empty())\n        sort_and_sweep_", indices)
     yield Fault("missed_removal_from_a_tree", "index", index, "tree_.remove(id);", "", indices)
     yield Fault(
-        "stale_box_in_the_list", "index", index, "list_.put(swept);\n    else", "{\n        if (shelf != wanted)\n            list_.put(swept);\n    }\n    else",
+        "stale_box_in_the_list", "index", index, "list_.put(swept);\n    else", "{\n        if (tree_kind != wanted)\n            list_.put(swept);\n    }\n    else",
         indices)
     yield Fault(
         "bulk_drops_pairs_with_others", "index", index,
@@ -385,11 +385,11 @@ def shape_faults():
         "gap_of_the_second_too_large", "shapes", gap, "- second.reach(-axis);", "- 0.9 * second.reach(-axis);",
         (("shapes", "Gap.*"),))
     yield Fault(
-        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "looks_[looks_left++] = looks_[i];", "looks_[looks_left++] = looks_[0];",
+        "wrong_pair_of_a_gap", "shapes", BROADPHASE + "near/near_set.h", "gaps_[kept++] = gaps_[i];", "gaps_[kept++] = gaps_[0];",
         proximity + contacts)
     yield Fault(
         "look_outlives_the_shape", "shapes", BROADPHASE + "near/near_set.cpp",
-        "            looks_[i] = test.new_look(by_shape_.active[i]);\n", "            continue;\n", proximity + hull_data)
+        "            gaps_[i] = test.new_gap_cache(by_shape_.active[i]);\n", "            continue;\n", proximity + hull_data)
     yield Fault(
         "lost_travel", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
         "rounds_up * (travels_[id] + move)", "rounds_up * (travels_[id] + 0.5 * move)",
@@ -471,18 +471,18 @@ def shape_faults():
         (("shape_contract", "ShapeProximity.*"),))
     query = SOURCES + "space/spatial_query.cpp"
     yield Fault(
-        "rays_by_shape_meet_envelopes", "shapes", query, "if (question.line && ", "if (false && ",
+        "rays_by_shape_meet_envelopes", "shapes", query, "if (query.line && ", "if (false && ",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "data_not_noticed_by_questions", "shapes", query, "tuning::few_objects && !looks_at_shapes())", "tuning::few_objects)",
+        "data_not_noticed_by_questions", "shapes", query, "tuning::few_objects && !tests_shapes())", "tuning::few_objects)",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "rests_by_shapes_out_of_date", "shapes", BROADPHASE + "near/near_set.cpp",
-        "rest(looks_[i].due == 0 && test(pair) ? by_shape_", "rest(test(pair) ? by_shape_",
+        "rest(gaps_[i].due == 0 && test(pair) ? by_shape_", "rest(test(pair) ? by_shape_",
         (("shape_contract", "ShapeProximity.*"),))
     yield Fault(
-        "a_gap_that_closed_counts_at_rest", "shapes", BROADPHASE + "near/near_set.cpp", "    look.due = 0;\n    look.pause", "    look.pause",
-        (("shape_contract", "LookCost.*"),))
+        "a_gap_that_closed_counts_at_rest", "shapes", BROADPHASE + "near/near_set.cpp", "    cache.due = 0;\n    cache.pause", "    cache.pause",
+        (("shape_contract", "GapCheckCost.*"),))
     yield Fault(
         "planes_for_all_shapes_on_a_heightfield", "shapes", terrain,
         "if (shape_.kind != ShapeKind::rounded)", "if (shape_.kind == ShapeKind::half_space)", heightfields)
@@ -500,19 +500,19 @@ def shape_faults():
         "return (made.outdated && geom->type != dHeightfieldClass) || made.key != key_of(geom);",
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
-        "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/look_budget.h",
-        "accounts_[id].balance -= tuning::cost_of_look + tuning::cost_of_reach * work;", "accounts_[id].balance -= work / 4;",
-        (("broadphase", "LookBudgets.*"),))
+        "looks_that_do_not_pay_go_on", "shapes", BROADPHASE + "near/gap_budget.h",
+        "accounts_[id].balance -= tuning::cost_of_check + tuning::cost_of_reach * work;", "accounts_[id].balance -= work / 4;",
+        (("broadphase", "GapBudgets.*"),))
     yield Fault(
-        "what_looks_have_spared_is_saved_for_good", "shapes", BROADPHASE + "near/look_budget.h",
+        "what_looks_have_spared_is_saved_for_good", "shapes", BROADPHASE + "near/gap_budget.h",
         "std::min(account.balance + tuning::cost_of_contacts, account.most)", "account.balance + tuning::cost_of_contacts",
-        (("broadphase", "LookBudgets.*"),))
+        (("broadphase", "GapBudgets.*"),))
     yield Fault(
         "landscapes_are_looked_at", "shapes", BROADPHASE + "objects/proxy_store.h",
-        "return one.can_move() || other.can_move();", "return true;", (("shape_contract", "LookCost.*"),))
+        "return one.can_move() || other.can_move();", "return true;", (("shape_contract", "GapCheckCost.*"),))
     yield Fault(
         "meshes_are_not_looked_at_beside_meshes", "shapes", BROADPHASE + "objects/proxy_store.h",
-        "return one.can_move() || other.can_move();", "return false;", (("shape_contract", "LookCost.*"),))
+        "return one.can_move() || other.can_move();", "return false;", (("shape_contract", "GapCheckCost.*"),))
     yield Fault(
         "pairs_that_rest_apart_keep_old_data", "shapes", BROADPHASE + "near/near_set.cpp",
         "            apart_.insert(id);", "            apart_.erase(id);", (("shape_contract", "HullData.*"),))
@@ -526,7 +526,7 @@ def shape_faults():
     yield Fault(
         "excluded_pairs_are_looked_at", "shapes", SOURCES + "space/geom_scene.cpp",
         "return !bits_agree(one, other) || (one->body && one->body == other->body);", "return one == other;",
-        (("shape_contract", "LookCost.*"),))
+        (("shape_contract", "GapCheckCost.*"),))
     surface = BROADPHASE + "shape/surface_gap.cpp"
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,
@@ -580,10 +580,10 @@ def space_faults():
         "    for (dxSpace *moved = this; moved; moved = nullptr)\n", (("shape_contract", "HullData.*"),))
     far = (("differential", "*SamePairs*far*:*NoContact*far*"),)
     yield Fault(
-        "question_counted_from_another_origin", "space", query, "origin.around(to_box(question.geom->aabb))", "to_box(question.geom->aabb)",
+        "question_counted_from_another_origin", "space", query, "origin.around(to_box(query.geom->aabb))", "to_box(query.geom->aabb)",
         far)
     yield Fault(
-        "ray_counted_from_another_origin", "space", query, "line_of_ray(question.geom, origin)", "line_of_ray(question.geom, Origin())",
+        "ray_counted_from_another_origin", "space", query, "line_of_ray(query.geom, origin)", "line_of_ray(query.geom, Origin())",
         contract("Contract.09_*"))
     yield Fault(
         "validated_from_another_origin", "space", SOURCES + "space/validation.cpp", ".translated(-broadphase_.origin().place())", "", far)
@@ -632,7 +632,7 @@ def space_faults():
         "new_geoms_missed_by_queries", "space", space, "unclassified_.insert(id);\n    access_.forget_catching_up();", "unclassified_.insert(id);",
         contract("Contract.09_*"))
     yield Fault(
-        "query_reports_what_is_apart", "space", query, "if (aabbs_overlap(other, question.geom) && bits_agree",
+        "query_reports_what_is_apart", "space", query, "if (aabbs_overlap(other, query.geom) && bits_agree",
         "if (bits_agree", contract("Contract.09_*"))
     yield Fault(
         "query_with_a_stale_box", "space", query,
@@ -683,7 +683,7 @@ def space_faults():
         "few_geoms_forgotten", "space", space, "tuning::few_objects)\n        start_predicting();",
         "tuning::few_objects)\n        predicts_ = true;", contract("FewGeoms.*"))
     yield Fault(
-        "dear_contacts_among_few_geoms_not_noticed", "space", space, "if (!predicts_ && looks_at_shapes())\n        start_predicting();", "",
+        "dear_contacts_among_few_geoms_not_noticed", "space", space, "if (!predicts_ && tests_shapes())\n        start_predicting();", "",
         contract("FewGeoms.*"))
     yield Fault(
         "few_geoms_by_box_alone", "space", space, "if (test == ProximityTest::sphere)\n        start_predicting();", "",
@@ -707,7 +707,7 @@ def space_faults():
         (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
     yield Fault(
         "envelopes_survive_starting_over", "space", BROADPHASE + "broadphase.cpp",
-        "proxies_.places[id].forget_envelope();\n        look_at(id);", "look_at(id);",
+        "proxies_.places[id].forget_envelope();\n        list(id);", "list(id);",
         (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
@@ -831,7 +831,7 @@ def history_faults():
         "notices_of_a_geom_that_does_not_exist", "history", check, "count.id >= geoms_.size() || geoms_[count.id].gone", "count.id > geoms_.size()", read)
     yield Fault(
         "asked_before_it_is_collided", "history", check,
-        "if (is_collide ? !has_collide_ : !has_collide_ && !has_question_)", "if (!has_collide_ && !has_question_)", read)
+        "if (is_collide ? !has_collide_ : !has_collide_ && !has_query_)", "if (!has_collide_ && !has_query_)", read)
 
 
 def advice_faults():

@@ -258,10 +258,10 @@ protected:
         shapes.start(2);
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
-        Look look(Payer::nobody);
-        LookBudget budget;
+        GapCache cache(Payer::nobody);
+        GapBudget budget;
         std::uint64_t looks = 0;
-        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).looks_near({0, 1}, look, budget);
+        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).check_gap({0, 1}, cache, budget);
     }
 
     double thinnest_ = 0.03; // shortest side, relative to the size

@@ -85,7 +85,7 @@ void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
         totals.calls += found.calls;
         ++totals.ticks;
     }
-    totals.looks += counters_of(history.space()).looks;
+    totals.looks += counters_of(history.space()).gap_checks;
 }
 
 // ODE_PREDICTIVE_SHAPE_SEED selects other histories.

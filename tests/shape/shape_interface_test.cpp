@@ -80,7 +80,7 @@ TEST_F(ShapeProximity, LeavesOutPairsWhoseBoxesAloneOverlap)
     const dGeomID other = ball(apart, apart);
     EXPECT_EQ(pairs(), 0u);
     EXPECT_EQ(counters().postponed, 1u);
-    EXPECT_EQ(counters().looks, 1u);
+    EXPECT_EQ(counters().gap_checks, 1u);
     dGeomSetPosition(other, REAL(1.4), REAL(1.4), 0);
     EXPECT_EQ(pairs(), 1u);
     EXPECT_EQ(counters().postponed, 0u);
@@ -179,13 +179,13 @@ TEST_F(ShapeProximity, NeedsNoLookAtBallsThatTouch)
         dGeomSetPosition(other, REAL(1.9) + REAL(0.01) * (i % 2), 0, 0);
         EXPECT_EQ(pairs(), 1u);
     }
-    EXPECT_EQ(counters().looks, 0u);
+    EXPECT_EQ(counters().gap_checks, 0u);
     dGeomSetPosition(other, apart, apart, 0);
     unsigned reported = 0;
     for (int i = 0; i < 40; ++i)
         reported += pairs();
     EXPECT_LT(reported, 20u) << "it is looked at again";
-    EXPECT_GT(counters().looks, 0u);
+    EXPECT_GT(counters().gap_checks, 0u);
 }
 
 TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
@@ -200,7 +200,7 @@ TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
         dGeomSetPosition(other, apart - REAL(0.01) * (i % 2), apart, 0);
         EXPECT_EQ(pairs(), 0u);
     }
-    EXPECT_EQ(counters().looks, 1u);
+    EXPECT_EQ(counters().gap_checks, 1u);
 }
 
 TEST_F(ShapeProximity, ReportsAPairThatComesWithinTheMarginAtThatTick)

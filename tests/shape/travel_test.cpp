@@ -42,13 +42,13 @@ public:
         ++update_;
         shapes_.update(*this, proxies_.members(), proxies_);
         if (shapes_.renewed(the_pair))
-            look_ = Look(Payer::nobody);
+            cache_ = GapCache(Payer::nobody);
         shapes_.clear_renewed();
         const OverlapTest boxes{*this, proxies_.places.data(), false, Origin().doubt(), Float4::all(0)};
         ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
         if (test.postpones(the_pair, look_))
             return false;
-        return look_.pause > 0 ? look_.pause-- > 0 : test.looks_near(the_pair, look_, budget_);
+        return cache_.pause > 0 ? cache_.pause-- > 0 : test.check_gap(the_pair, cache_, budget_);
     }
 
     bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
@@ -77,8 +77,8 @@ private:
     ProxyStore proxies_;
     UpdateNumber update_ = 1;
     MeasuredShapes shapes_;
-    Look look_{Payer::nobody};
-    LookBudget budget_;
+    GapCache cache_{Payer::nobody};
+    GapBudget budget_;
     std::uint64_t looks_ = 0;
 };
 

@@ -76,7 +76,7 @@ Work work_of(dSpaceID space)
               {"repredictions", count(stats.repredictions)},
               {"woken", count(stats.woken)},
               {"scans", count(stats.scans)},
-              {"looks", count(more.looks)}}}};
+              {"gap_checks", count(more.gap_checks)}}}};
 }
 
 struct Quarter

@@ -38,23 +38,23 @@ void EnvelopeIndex::put(ProxyStore &proxies, const Batch &batch)
         put(proxies, id);
 }
 
-Shelf EnvelopeIndex::shelf_for(const FloatBox &envelope) const
+TreeKind EnvelopeIndex::tree_kind_for(const FloatBox &envelope) const
 {
-    return is_small_ || !envelope.bounded() ? Shelf::list : Shelf::tree;
+    return is_small_ || !envelope.bounded() ? TreeKind::list : TreeKind::tree;
 }
 
 void EnvelopeIndex::put(ProxyStore &proxies, ProxyId id)
 {
     const SweptProxy swept{id, proxies.places[id].envelope()};
-    Shelf &shelf = proxies.records[id].shelf;
-    const Shelf wanted = shelf_for(swept.box);
-    if (shelf != wanted)
+    TreeKind &tree_kind = proxies.records[id].tree_kind;
+    const TreeKind wanted = tree_kind_for(swept.box);
+    if (tree_kind != wanted)
         remove(proxies, id);
-    if (wanted == Shelf::list)
+    if (wanted == TreeKind::list)
         list_.put(swept);
     else
-        shelf == Shelf::tree ? tree_.move(id, swept.box) : tree_.insert(id, swept.box);
-    shelf = wanted;
+        tree_kind == TreeKind::tree ? tree_.move(id, swept.box) : tree_.insert(id, swept.box);
+    tree_kind = wanted;
 }
 
 void EnvelopeIndex::prepare(ProxyStore &proxies)
@@ -75,11 +75,11 @@ bool EnvelopeIndex::refit(ProxyStore &proxies)
     boxes_.clear();
     proxies.members().for_each([&](ProxyId id) {
         const SweptProxy swept{id, proxies.places[id].envelope()};
-        const Shelf shelf = proxies.records[id].shelf;
-        are_all_there &= shelf == shelf_for(swept.box);
-        if (shelf == Shelf::tree)
+        const TreeKind tree_kind = proxies.records[id].tree_kind;
+        are_all_there &= tree_kind == tree_kind_for(swept.box);
+        if (tree_kind == TreeKind::tree)
             boxes_.push_back(swept);
-        else if (shelf == Shelf::list)
+        else if (tree_kind == TreeKind::list)
             list_.put(swept);
     });
     return are_all_there && tree_.refit(boxes_);
@@ -87,29 +87,29 @@ bool EnvelopeIndex::refit(ProxyStore &proxies)
 
 void EnvelopeIndex::build(ProxyStore &proxies)
 {
-    clear(proxies); // no object has a shelf until memory for all was found
+    clear(proxies); // no object has a tree_kind until memory for all was found
     is_stale_ = true;
     boxes_.clear();
     proxies.members().for_each([&](ProxyId id) {
         const SweptProxy swept{id, proxies.places[id].envelope()};
-        if (shelf_for(swept.box) == Shelf::list)
+        if (tree_kind_for(swept.box) == TreeKind::list)
             list_.add(swept);
         else
             boxes_.push_back(swept);
     });
     tree_.build(boxes_);
     proxies.members().for_each(
-        [&](ProxyId id) { proxies.records[id].shelf = shelf_for(proxies.places[id].envelope()); });
+        [&](ProxyId id) { proxies.records[id].tree_kind = tree_kind_for(proxies.places[id].envelope()); });
 }
 
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)
 {
-    Shelf &shelf = proxies.records[id].shelf;
-    if (shelf == Shelf::list)
+    TreeKind &tree_kind = proxies.records[id].tree_kind;
+    if (tree_kind == TreeKind::list)
         list_.remove(id);
-    else if (shelf == Shelf::tree)
+    else if (tree_kind == TreeKind::tree)
         tree_.remove(id);
-    shelf = Shelf::none;
+    tree_kind = TreeKind::none;
 }
 
 void EnvelopeIndex::clear(ProxyStore &proxies)
@@ -118,7 +118,7 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
     list_.clear();
     is_stale_ = false;
     for (ProxyRecord &record : proxies.records)
-        record.shelf = Shelf::none;
+        record.tree_kind = TreeKind::none;
 }
 
 // Objects of the batch are left out: their pairs were found among themselves.

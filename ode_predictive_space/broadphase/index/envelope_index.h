@@ -54,7 +54,7 @@ private:
     void put(ProxyStore &proxies, ProxyId id);
     bool refit(ProxyStore &proxies);
     void build(ProxyStore &proxies);
-    Shelf shelf_for(const FloatBox &envelope) const;
+    TreeKind tree_kind_for(const FloatBox &envelope) const;
     void look_up(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
     void find_in_tree(const SweptProxy *some, std::size_t count, const Batch &batch, const IdSet &idle,
                       std::vector<CandidatePair> &pairs);

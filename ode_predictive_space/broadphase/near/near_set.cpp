@@ -52,19 +52,19 @@ CandidatePair *NearSet::report_by_box(const OverlapTest &test, CandidatePair *ro
 CandidatePair *NearSet::report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room)
 {
     budget_.begin_report();
-    make_looks(test);
+    make_gap_caches(test);
     follow(test, all_shapes);
     CandidatePair *end = find_open(test, room);
-    end = look_at_open(test, room, end);
+    end = check_open(test, room, end);
     return std::copy(by_shape_.overlapping.begin(), by_shape_.overlapping.end(), end);
 }
 
-void NearSet::make_looks(const ShapeTest &test)
+void NearSet::make_gap_caches(const ShapeTest &test)
 {
-    for (std::size_t i = looks_.size(); i < by_shape_.active.size(); ++i)
+    for (std::size_t i = gaps_.size(); i < by_shape_.active.size(); ++i)
     {
-        looks_.push_back(test.new_look(by_shape_.active[i]));
-        if (const ProxyId *payer = looks_[i].payer_of(by_shape_.active[i]))
+        gaps_.push_back(test.new_gap_cache(by_shape_.active[i]));
+        if (const ProxyId *payer = gaps_[i].payer_of(by_shape_.active[i]))
             budget_.note_new_pair(*payer);
     }
 }
@@ -84,18 +84,18 @@ void NearSet::follow(ShapeTest &test, bool all_shapes)
     wanted_ = apart_;
     if (all_shapes)
         test.shapes().add_owners_to(wanted_);
-    for (std::size_t i = 0; i < looks_.size(); ++i)
-        if (looks_[i].due > 0)
+    for (std::size_t i = 0; i < gaps_.size(); ++i)
+        if (gaps_[i].due > 0)
             want(by_shape_.active[i]);
     test.follow(wanted_);
     if (!test.shapes().any_renewed())
         return;
     test.shapes().renewed().for_each([this](ProxyId id) { disturb(id); });
     activate_disturbed();
-    make_looks(test);
-    for (std::size_t i = 0; i < looks_.size(); ++i)
+    make_gap_caches(test);
+    for (std::size_t i = 0; i < gaps_.size(); ++i)
         if (test.shapes().renewed(by_shape_.active[i]))
-            looks_[i] = test.new_look(by_shape_.active[i]);
+            gaps_[i] = test.new_gap_cache(by_shape_.active[i]);
 }
 
 // Writes the pairs that are not postponed and whose boxes overlap. Those that are to be looked at are in open_, too; their shapes are
@@ -105,22 +105,22 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
     wanted_.clear();
     open_.clear();
     CandidatePair *end = room;
-    for (std::size_t i = 0; i < looks_.size(); ++i)
+    for (std::size_t i = 0; i < gaps_.size(); ++i)
     {
-        Look &look = looks_[i];
+        GapCache &cache = gaps_[i];
         const CandidatePair &pair = by_shape_.active[i];
-        if (look.due > 0 && test.postpones(pair, look))
+        if (cache.due > 0 && test.postpones(pair, cache))
         {
-            if (const ProxyId *payer = look.payer_of(pair))
+            if (const ProxyId *payer = cache.payer_of(pair))
                 budget_.note_spared(*payer);
             continue;
         }
         if (!test.boxes()(pair))
         {
-            look.due = 0;
+            cache.due = 0;
             continue;
         }
-        if (is_due(test, pair, look))
+        if (is_due(test, pair, cache))
         {
             open_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end - room)});
             want(pair);
@@ -145,31 +145,31 @@ void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
 }
 
 // Is a look at an overlapping pair of use now, and can it be afforded?
-bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, Look &look)
+bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, GapCache &cache)
 {
-    const ProxyId *payer = look.payer_of(pair);
-    if (look.pause == 0 && (!payer || budget_.allows_look(*payer)))
+    const ProxyId *payer = cache.payer_of(pair);
+    if (cache.pause == 0 && (!payer || budget_.allows_check(*payer)))
     {
-        look.is_excluded = test.is_excluded(pair);
-        if (!look.is_excluded)
+        cache.is_excluded = test.is_excluded(pair);
+        if (!cache.is_excluded)
             return true;
-        wait_longer(look);
+        wait_longer(cache);
     }
-    look.due = 0;
-    look.pause -= look.pause > 0;
-    if (payer && !look.is_excluded)
+    cache.due = 0;
+    cache.pause -= cache.pause > 0;
+    if (payer && !cache.is_excluded)
         budget_.note_reported(*payer);
     return false;
 }
 
 // Takes those back whose shapes cannot touch.
-CandidatePair *NearSet::look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end)
+CandidatePair *NearSet::check_open(ShapeTest &test, CandidatePair *room, CandidatePair *end)
 {
     charge_for_shapes(test.shapes());
     constexpr CandidatePair none{0, 0};
     CandidatePair *first_taken_back = end;
     for (const auto &[i, place] : open_)
-        if (!test.looks_near(by_shape_.active[i], looks_[i], budget_))
+        if (!test.check_gap(by_shape_.active[i], gaps_[i], budget_))
         {
             room[place] = none;
             first_taken_back = std::min(first_taken_back, room + place);
@@ -228,7 +228,7 @@ void NearSet::let_rest_by_shape(const OverlapTest &test)
     keep_by_shape([&](const CandidatePair &pair, std::size_t i) {
         const bool rests = may_rest(pair, test.places);
         if (rests)
-            rest(looks_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair);
+            rest(gaps_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair);
         return !rests;
     });
     give_back_spare(by_shape_.active);
@@ -253,7 +253,7 @@ void NearSet::clear()
     for (NearPairs *pairs : {&by_box_, &by_shape_})
         for (std::vector<CandidatePair> *list : {&pairs->active, &pairs->overlapping, &pairs->separated})
             list->clear();
-    looks_.clear();
+    gaps_.clear();
     resting_.clear();
     apart_.clear();
     disturbed_.clear();
@@ -267,7 +267,7 @@ void NearSet::release()
     for (NearPairs *pairs : {&by_box_, &by_shape_})
         for (std::vector<CandidatePair> *list : {&pairs->active, &pairs->overlapping, &pairs->separated})
             free_memory(*list);
-    free_memory(looks_);
+    free_memory(gaps_);
     free_memory(open_);
     free_memory(disturbed_);
     free_memory(newly_resting_);

@@ -113,10 +113,10 @@ public:
     /// Calls visit(pair) for the active pairs that were postponed at the last report, and whose shapes are the ones of that report.
     template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
     {
-        for (std::size_t i = 0; i < looks_.size(); ++i)
+        for (std::size_t i = 0; i < gaps_.size(); ++i)
         {
             const CandidatePair &pair = by_shape_.active[i];
-            if (!is_retired(pair) && !shapes.renewed(pair) && shapes.travel(pair) < looks_[i].due)
+            if (!is_retired(pair) && !shapes.renewed(pair) && shapes.travel(pair) < gaps_[i].due)
                 visit(pair);
         }
     }
@@ -130,7 +130,7 @@ public:
 
     std::size_t bytes() const
     {
-        return by_box_.bytes() + by_shape_.bytes() + bytes_of(looks_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
+        return by_box_.bytes() + by_shape_.bytes() + bytes_of(gaps_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
                bytes_of(newly_resting_) + resting_.bytes() + apart_.bytes() + wanted_.bytes() + bytes_of(open_) +
                budget_.bytes();
     }
@@ -146,12 +146,12 @@ private:
     void begin_report();
     CandidatePair *report_by_box(const OverlapTest &test, CandidatePair *room);
     CandidatePair *report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room);
-    void make_looks(const ShapeTest &test);
+    void make_gap_caches(const ShapeTest &test);
     void follow(ShapeTest &test, bool all_shapes);
     CandidatePair *find_open(ShapeTest &test, CandidatePair *room);
     void charge_for_shapes(const MeasuredShapes &shapes);
-    bool is_due(const ShapeTest &test, const CandidatePair &pair, Look &look);
-    CandidatePair *look_at_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
+    bool is_due(const ShapeTest &test, const CandidatePair &pair, GapCache &cache);
+    CandidatePair *check_open(ShapeTest &test, CandidatePair *room, CandidatePair *end);
     void want(const CandidatePair &pair)
     {
         wanted_.insert(pair.first);
@@ -194,7 +194,7 @@ private:
     }
 
     NearPairs by_box_, by_shape_;
-    std::vector<Look> looks_;        // of the first so many of by_shape_.active; the others are new
+    std::vector<GapCache> gaps_;     // of the first so many of by_shape_.active; the others are new
     IdSet resting_;                  // objects with a pair at rest
     std::vector<ProxyId> disturbed_; // were among them
     std::vector<ProxyId> newly_resting_;
@@ -204,7 +204,7 @@ private:
     UpdateNumber rested_ = 0;              // when that was last
     std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
     bool has_retired_ = false;
-    LookBudget budget_;
+    GapBudget budget_;
     IdSet wanted_;           // scratch
     std::vector<Open> open_; // scratch
 };
@@ -212,18 +212,18 @@ private:
 template <typename Stays> void NearSet::keep_by_shape(Stays stays)
 {
     std::vector<CandidatePair> &pairs = by_shape_.active;
-    const std::size_t looks = looks_.size();
-    std::size_t left = 0, looks_left = 0;
+    const std::size_t tested = gaps_.size();
+    std::size_t left = 0, kept = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
         if (!stays(pairs[i], i))
             continue;
-        if (i < looks)
-            looks_[looks_left++] = looks_[i];
+        if (i < tested)
+            gaps_[kept++] = gaps_[i];
         pairs[left++] = pairs[i];
     }
     pairs.resize(left);
-    looks_.erase(looks_.begin() + static_cast<std::ptrdiff_t>(looks_left), looks_.end());
+    gaps_.erase(gaps_.begin() + static_cast<std::ptrdiff_t>(kept), gaps_.end());
 }
 
 template <typename Visit> void NearSet::drop_retired(Visit visit)

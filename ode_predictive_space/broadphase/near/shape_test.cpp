@@ -41,10 +41,10 @@ bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
 }
 } // namespace
 
-void wait_longer(Look &look)
+void wait_longer(GapCache &cache)
 {
-    look.last_pause = static_cast<std::uint8_t>(std::clamp(2u * look.last_pause, 2u, tuning::reports_per_rest));
-    look.pause = static_cast<std::uint8_t>(look.last_pause - 1);
+    cache.last_pause = static_cast<std::uint8_t>(std::clamp(2u * cache.last_pause, 2u, tuning::reports_per_rest));
+    cache.pause = static_cast<std::uint8_t>(cache.last_pause - 1);
 }
 
 double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin)
@@ -61,53 +61,53 @@ bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, doubl
 
 // To the hulls, and where these have none, to the surface of one. A shape whose centre is in the box of a mesh is most likely in its
 // hull, too.
-Gap ShapeTest::gap_between(const CandidatePair &pair, const Look &look, double margin)
+Gap ShapeTest::gap_between(const CandidatePair &pair, const GapCache &cache, double margin)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
     const ConvexShape *surface = surface_of(first, second);
     Gap gap;
     if (!surface || !is_within_hull(surface == &first ? second.centre : first.centre, *surface))
-        gap = find_gap(first, second, Vector3(look.axis[0], look.axis[1], look.axis[2]), margin);
+        gap = find_gap(first, second, Vector3(cache.axis[0], cache.axis[1], cache.axis[2]), margin);
     if (!surface || gap.length > margin)
         return gap;
     gap.improve(surface_gap(first, second, margin));
     return gap;
 }
 
-Look ShapeTest::new_look(const CandidatePair &pair) const
+GapCache ShapeTest::new_gap_cache(const CandidatePair &pair) const
 {
     const std::vector<ProxyRecord> &records = objects_.proxies.records;
     const auto is_hand = [&](ProxyId id) { return records[id].role == Role::fixed_interactive; };
     if (is_hand(pair.first) || is_hand(pair.second))
-        return Look(Payer::nobody);
-    return Look(records[pair.first].is_costly ? Payer::first : Payer::second);
+        return GapCache(Payer::nobody);
+    return GapCache(records[pair.first].is_costly ? Payer::first : Payer::second);
 }
 
-bool ShapeTest::looks_near(const CandidatePair &pair, Look &look, LookBudget &budget)
+bool ShapeTest::check_gap(const CandidatePair &pair, GapCache &cache, GapBudget &budget)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
-    if (look.due > 0)
-        look.last_pause = 0;
-    look.due = 0;
+    if (cache.due > 0)
+        cache.last_pause = 0;
+    cache.due = 0;
     const double margin = touching_distance(first, second, margin_);
     if (touch_within(first, second, margin))
     {
-        wait_longer(look);
+        wait_longer(cache);
         return true;
     }
-    ++looks_;
-    const Gap gap = gap_between(pair, look, margin);
-    if (const ProxyId *payer = look.payer_of(pair))
-        budget.note_look(*payer, gap.work);
+    ++checks_;
+    const Gap gap = gap_between(pair, cache, margin);
+    if (const ProxyId *payer = cache.payer_of(pair))
+        budget.note_check(*payer, gap.work);
     for (Eigen::Index i = 0; i < 3; ++i)
-        look.axis[i] = static_cast<float>(gap.axis[i]);
+        cache.axis[i] = static_cast<float>(gap.axis[i]);
     if (!(gap.length > margin))
     {
-        wait_longer(look);
+        wait_longer(cache);
         return true;
     }
     constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();
-    look.due = rounds_down * (shapes().travel(pair) + (gap.length - margin));
+    cache.due = rounds_down * (shapes().travel(pair) + (gap.length - margin));
     return false;
 }
 } // namespace ode_predictive_space

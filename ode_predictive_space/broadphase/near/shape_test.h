@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "ode_predictive_space/broadphase/near/look_budget.h"
+#include "ode_predictive_space/broadphase/near/gap_budget.h"
 #include "ode_predictive_space/broadphase/near/overlap_test.h"
 #include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 #include "ode_predictive_space/broadphase/shape/gap.h"
@@ -23,9 +23,9 @@ enum class Payer : std::uint8_t
 };
 
 /// What is known of the gap of a near pair. A new pair is looked at when it is first tested.
-struct Look
+struct GapCache
 {
-    explicit Look(Payer pays) : payer(pays) {}
+    explicit GapCache(Payer pays) : payer(pays) {}
 
     double due = 0; ///< the pair is postponed until the travels of both objects together reach this; 0 when it is not
     float axis[3] = {};     ///< of the last look, from the first object to the second
@@ -40,10 +40,10 @@ struct Look
         return payer == Payer::nobody ? nullptr : payer == Payer::first ? &pair.first : &pair.second;
     }
 };
-static_assert(sizeof(Look) == 24, "there is one for each near pair that is tested by shape");
+static_assert(sizeof(GapCache) == 24, "there is one for each near pair that is tested by shape");
 
 /// The next look is due after some reports, twice as many as before.
-void wait_longer(Look &look);
+void wait_longer(GapCache &cache);
 
 /// Up to this distance a pair counts as touching. @param margin what the program adds.
 double touching_distance(const ConvexShape &first, const ConvexShape &second, double margin);
@@ -65,9 +65,9 @@ public:
 
     /// @param boxes whether bounding boxes overlap.
     /// @param margin up to this distance the program counts a pair as touching.
-    /// @param looks counts the looks at a gap.
-    ShapeTest(const Objects &objects, const OverlapTest &boxes, double margin, std::uint64_t &looks)
-        : objects_(objects), boxes_(boxes), margin_(margin), looks_(looks)
+    /// @param checks counts the gap checks.
+    ShapeTest(const Objects &objects, const OverlapTest &boxes, double margin, std::uint64_t &checks)
+        : objects_(objects), boxes_(boxes), margin_(margin), checks_(checks)
     {}
 
     /// Brings shapes and travels up to date.
@@ -76,9 +76,9 @@ public:
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
 
     /// Can the gap not have closed since the last look? The pair's shapes are up to date, if it has had one that found a gap.
-    bool postpones(const CandidatePair &pair, const Look &look) const
+    bool postpones(const CandidatePair &pair, const GapCache &cache) const
     {
-        return objects_.shapes.travel(pair) < look.due;
+        return objects_.shapes.travel(pair) < cache.due;
     }
 
     /// Whether bounding boxes overlap.
@@ -88,20 +88,20 @@ public:
     bool is_excluded(const CandidatePair &pair) const { return objects_.scene.is_excluded(pair.first, pair.second); }
 
     /// Of a pair that is new, or as good as new.
-    Look new_look(const CandidatePair &pair) const;
+    GapCache new_gap_cache(const CandidatePair &pair) const;
 
     /// Looks at the gap of the pair, whose shapes are up to date, and decides when the next look is due.
-    bool looks_near(const CandidatePair &pair, Look &look, LookBudget &budget);
+    bool check_gap(const CandidatePair &pair, GapCache &cache, GapBudget &budget);
 
     const MeasuredShapes &shapes() const { return objects_.shapes; }
 
 private:
-    Gap gap_between(const CandidatePair &pair, const Look &look, double margin);
+    Gap gap_between(const CandidatePair &pair, const GapCache &cache, double margin);
 
     Objects objects_;
     OverlapTest boxes_;
     double margin_;
-    std::uint64_t &looks_;
+    std::uint64_t &checks_;
 };
 } // namespace ode_predictive_space
 

@@ -15,7 +15,7 @@
 namespace ode_predictive_space
 {
 /// The part of the index that an envelope is in.
-enum class Shelf : std::uint8_t
+enum class TreeKind : std::uint8_t
 {
     none,
     tree,
@@ -50,7 +50,7 @@ struct alignas(64) ProxyRecord
     std::uint16_t tests;   ///< pairs that were tested since then
     std::uint16_t useless; ///< of these, pairs that were apart at the end
     Role role;             ///< set by the program; predict recognises Role::interactive
-    Shelf shelf;           ///< written by the index
+    TreeKind tree_kind;    ///< written by the index
     bool predicted : 1;    ///< at least once
     bool has_body : 1;     ///< which tells the velocity
     bool is_rounded : 1;   ///< it was so far away that rounding made much of its box
@@ -72,7 +72,7 @@ public:
 
     /// Should the pair be tested by shape? Its contacts are costly to find, or the program has said of one of the two that a person drives it.
     /// Two costly objects that cannot move are tested by box: they are pieces of a landscape.
-    bool is_worth_a_look(ProxyId first, ProxyId second) const
+    bool is_checked_by_shape(ProxyId first, ProxyId second) const
     {
         const ProxyRecord &one = records[first], &other = records[second];
         if (one.is_costly && other.is_costly)

@@ -430,7 +430,7 @@ Envelope Forecast::turned_anyhow() const
     return anyhow;
 }
 
-Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now)
+Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now)
 {
     Observation seen;
     scene.observe(&id, 1, &seen, Origin());

@@ -69,7 +69,7 @@ public:
     static void note_tests(ProxyStore &proxies, const CandidatePair &pair);
 
     /// How the object will move, as far as is known now. Its tight box is up to date. From now on its poses are sampled.
-    Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now);
+    Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now);
 
     /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
     /// object in it, since the review before the last began.

@@ -2,7 +2,7 @@
 
 namespace ode_predictive_space
 {
-const Track *Samples::ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now)
+const Track *Samples::ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now)
 {
     Sampled *sampled = follow(proxies, id);
     if (!sampled)

@@ -15,7 +15,7 @@
 namespace ode_predictive_space
 {
 /// When a question is asked.
-struct QuestionTime
+struct QueryTime
 {
     Tick tick; ///< at which the objects are where they are now: the next one when something has moved since the last
     std::uint64_t collisions; ///< calls that were ticks if something had moved
@@ -27,7 +27,7 @@ class Samples
 {
 public:
     /// An object is asked about: its track up to now; none when it rests.
-    const Track *ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QuestionTime &now);
+    const Track *ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now);
 
     /// A tick: samples the objects that are sampled.
     void sample(Scene &scene, const ProxyStore &proxies, Tick now);

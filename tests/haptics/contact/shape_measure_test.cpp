@@ -33,7 +33,7 @@ struct Things
         dPredictiveSpaceCounters counters = {};
         if (dSpaceIsPredictive(space()) != 0)
             dPredictiveSpaceGetCounters(space(), &counters, sizeof counters);
-        return counters.looks;
+        return counters.gap_checks;
     }
 
     dSpaceID space() const { return world.space; }

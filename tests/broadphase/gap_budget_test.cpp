@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/broadphase/near/look_budget.h"
+#include "ode_predictive_space/broadphase/near/gap_budget.h"
 
 namespace ode_predictive_space
 {
@@ -10,10 +10,10 @@ namespace
 {
 constexpr ProxyId mesh = 3;
 
-class LookBudgets : public testing::Test
+class GapBudgets : public testing::Test
 {
 protected:
-    LookBudgets()
+    GapBudgets()
     {
         budget.begin_report();
         for (int i = 0; i < pairs; ++i)
@@ -31,10 +31,10 @@ protected:
         {
             budget.begin_report();
             for (int i = 0; i < pairs; ++i)
-                if (budget.allows_look(mesh))
+                if (budget.allows_check(mesh))
                 {
-                    budget.note_look(mesh, work);
-                    spent += cost + tuning::cost_of_look;
+                    budget.note_check(mesh, work);
+                    spent += cost + tuning::cost_of_check;
                 }
                 else
                     budget.note_reported(mesh);
@@ -56,10 +56,10 @@ protected:
 
     static constexpr int pairs = 10;
     static constexpr float allowance = pairs * tuning::allowed_reports * tuning::cost_of_contacts;
-    LookBudget budget;
+    GapBudget budget;
 };
 
-TEST_F(LookBudgets, InVainCostATwentiethOfTheContactsAtMost)
+TEST_F(GapBudgets, InVainCostATwentiethOfTheContactsAtMost)
 {
     for (const float cost : {100.0f, 2000.0f, 50000.0f})
     {
@@ -71,31 +71,31 @@ TEST_F(LookBudgets, InVainCostATwentiethOfTheContactsAtMost)
     }
 }
 
-TEST_F(LookBudgets, GoOnWhereTheySpareReports)
+TEST_F(GapBudgets, GoOnWhereTheySpareReports)
 {
     look_in_vain(500, 2000);
     spare(20);
-    EXPECT_TRUE(budget.allows_look(mesh));
+    EXPECT_TRUE(budget.allows_check(mesh));
     EXPECT_GT(look_in_vain(20, 2000), 0.9f * allowance) << "and as many are in vain";
 }
 
-TEST_F(LookBudgets, OfLongAgoAreForgotten)
+TEST_F(GapBudgets, OfLongAgoAreForgotten)
 {
     spare(100000);
     EXPECT_LT(look_in_vain(500, 2000), 0.05f * contacts(500) + 2000);
 }
 
-TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
+TEST_F(GapBudgets, PayForDataThatChangeAgainAndAgain)
 {
     budget.note_hull(mesh, 1, 1000);
-    EXPECT_TRUE(budget.allows_look(mesh)) << "all data are read once";
+    EXPECT_TRUE(budget.allows_check(mesh)) << "all data are read once";
     budget.note_hull(mesh, 1, 1000);
-    EXPECT_TRUE(budget.allows_look(mesh)) << "the hull is the same";
+    EXPECT_TRUE(budget.allows_check(mesh)) << "the hull is the same";
     budget.note_hull(mesh, 2, 1000);
-    EXPECT_FALSE(budget.allows_look(mesh));
+    EXPECT_FALSE(budget.allows_check(mesh));
 }
 
-TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
+TEST_F(GapBudgets, DoNotGrowWithPairsThatComeAndGo)
 {
     look_in_vain(500, 2000);
     const float before = look_in_vain(500, 2000);
@@ -107,12 +107,12 @@ TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
     EXPECT_LT(look_in_vain(500, 2000), 1.1f * before + 4000);
 }
 
-TEST_F(LookBudgets, EndWithTheObject)
+TEST_F(GapBudgets, EndWithTheObject)
 {
-    budget.note_look(mesh, 1e6f);
+    budget.note_check(mesh, 1e6f);
     budget.close(mesh);
     budget.note_new_pair(mesh);
-    EXPECT_TRUE(budget.allows_look(mesh));
+    EXPECT_TRUE(budget.allows_check(mesh));
 }
 } // namespace
 } // namespace ode_predictive_space

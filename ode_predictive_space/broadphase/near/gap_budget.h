@@ -1,8 +1,8 @@
 // Bounds the cost of looks at the gaps of pairs. In: the instructions of looks, and the reports that they saved. Out: whether a look is
 // allowed.
 
-#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_LOOK_BUDGET_H
-#define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_LOOK_BUDGET_H
+#ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_GAP_BUDGET_H
+#define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_GAP_BUDGET_H
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace ode_predictive_space
 /// report that a look has spared pays in what the contacts would have cost, and each other report pays in a small part of that. While
 /// the account is overdrawn, the pairs of the object are tested by box. So looks that spare nothing cost no more than that part of the
 /// reports, beside the allowance with which an account begins. All of it is counted: callbacks are the same in every run.
-class LookBudget
+class GapBudget
 {
 public:
     void begin_report() { ++report_; }
@@ -42,8 +42,8 @@ public:
         }
     }
 
-    /// @pre the object has had a pair; note_spared(), note_reported() and note_look() need one, too.
-    bool allows_look(ProxyId id) const { return accounts_[id].balance >= 0; }
+    /// @pre the object has had a pair; note_spared(), note_reported() and note_check() need one, too.
+    bool allows_check(ProxyId id) const { return accounts_[id].balance >= 0; }
 
     /// A pair was not reported, because of an earlier look.
     void note_spared(ProxyId id)
@@ -53,12 +53,12 @@ public:
     }
 
     /// A pair was reported without a look.
-    void note_reported(ProxyId id) { accounts_[id].balance += tuning::part_for_looks * tuning::cost_of_contacts; }
+    void note_reported(ProxyId id) { accounts_[id].balance += tuning::part_for_checks * tuning::cost_of_contacts; }
 
     /// A look took so much work; see Gap::work.
-    void note_look(ProxyId id, float work)
+    void note_check(ProxyId id, float work)
     {
-        accounts_[id].balance -= tuning::cost_of_look + tuning::cost_of_reach * work;
+        accounts_[id].balance -= tuning::cost_of_check + tuning::cost_of_reach * work;
     }
 
     /// The object has a hull that was made of its data. The first one is free of charge; each point or triangle of a later one costs
@@ -71,7 +71,7 @@ public:
             return;
         Account &account = accounts_[id];
         if (account.hull != 0 && account.hull != number)
-            account.balance -= tuning::cost_of_look * static_cast<float>(elements);
+            account.balance -= tuning::cost_of_check * static_cast<float>(elements);
         account.hull = number;
     }
 

@@ -11,11 +11,11 @@ namespace ode_predictive_space
 {
 namespace
 {
-class LookCost : public OdeTest
+class GapCheckCost : public OdeTest
 {
 protected:
-    LookCost() { dPredictiveSpaceSetProximity(space, dPredictiveProximityShape); }
-    ~LookCost() override { dSpaceDestroy(space); }
+    GapCheckCost() { dPredictiveSpaceSetProximity(space, dPredictiveProximityShape); }
+    ~GapCheckCost() override { dSpaceDestroy(space); }
 
     dGeomID create_mesh(const MeshArrays &arrays)
     {
@@ -41,14 +41,14 @@ protected:
     {
         dPredictiveSpaceCounters counters;
         dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
-        return counters.looks;
+        return counters.gap_checks;
     }
 
     static constexpr dReal beside_edge = REAL(1.7035);
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
 };
 
-TEST_F(LookCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
+TEST_F(GapCheckCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
 {
     const MeshArrays cube(Polyhedron::cube());
     const dGeomID mesh = create_mesh(cube), ball = create_ball();
@@ -75,7 +75,7 @@ TEST_F(LookCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
 }
 
 // Two octahedra whose boxes overlap. Only objects that move are tested against a landscape.
-TEST_F(LookCost, TwoMeshesThatHaveNotMovedAreNotLookedAt)
+TEST_F(GapCheckCost, TwoMeshesThatHaveNotMovedAreNotLookedAt)
 {
     const MeshArrays octahedron(Polyhedron::octahedron());
     create_mesh(octahedron);
@@ -92,7 +92,7 @@ TEST_F(LookCost, TwoMeshesThatHaveNotMovedAreNotLookedAt)
     EXPECT_GT(looks(), 0u);
 }
 
-TEST_F(LookCost, AMeshOnABodyIsLookedAtBesideAnotherMesh)
+TEST_F(GapCheckCost, AMeshOnABodyIsLookedAtBesideAnotherMesh)
 {
     const MeshArrays octahedron(Polyhedron::octahedron());
     create_mesh(octahedron);
@@ -106,7 +106,7 @@ TEST_F(LookCost, AMeshOnABodyIsLookedAtBesideAnotherMesh)
 }
 
 // A test finds a gap, but at the next tick the mesh has turned farther than that.
-TEST_F(LookCost, BesideAMeshThatTurnsLooksAreGivenUp)
+TEST_F(GapCheckCost, BesideAMeshThatTurnsLooksAreGivenUp)
 {
     const MeshArrays cube(Polyhedron::cube());
     const dGeomID mesh = create_mesh(cube);
@@ -124,7 +124,7 @@ TEST_F(LookCost, BesideAMeshThatTurnsLooksAreGivenUp)
         ASSERT_EQ(collide(space).size(), 1u) << "they touch, and come to rest so";
 }
 
-TEST_F(LookCost, DataThatChangeAtEachTickAreSeldomRead)
+TEST_F(GapCheckCost, DataThatChangeAtEachTickAreSeldomRead)
 {
     MeshArrays cube(Polyhedron::cube());
     const dGeomID mesh = create_mesh(cube);
