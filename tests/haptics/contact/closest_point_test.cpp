@@ -61,8 +61,8 @@ TEST(ClosestPoint, IsFoundInACornerOfManyPlanesThroughOneEdge)
     }
 }
 
-// Two planes at an edge of a scanned mesh. The lift by either one leaves more than 1e-9 of the depth in the other, and their corner
-// cannot be computed from the rounded normals.
+// Two planes at an edge of a scanned mesh. The lift by either one leaves more than 1e-9 of the depth in the other, and the
+// rounded normals do not determine their corner.
 TEST(ClosestPoint, IsFoundWhereRoundingHidesTheCornerOfTwoPlanes)
 {
     std::vector<ConstraintPlane> planes = {

@@ -34,7 +34,8 @@ inline MeshShape rough_sheet(double side, int cells, double height, double noise
 
 /// A closed ball of some 4 n^2 triangles about the origin, with ridges and hollows of all sizes.
 ///
-/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius. @param noise m; of each vertex.
+/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius.
+/// @param noise m; of each vertex.
 inline MeshShape rough_ball(double mean, int rings, double roughness, double noise, unsigned seed)
 {
     RandomNumbers random(seed);

@@ -13,7 +13,7 @@ Vector3 origin(double)
     return Vector3::Zero();
 }
 
-/// Exact encoders and no spring: what is left is a mass.
+/// A mass alone: exact encoders and no spring.
 VirtualDeviceSettings free_mass()
 {
     VirtualDeviceSettings settings;
@@ -32,7 +32,7 @@ public:
         device_.open();
     }
 
-    /// Largest less smallest position of the handle, in m, in `ticks` ticks from now on.
+    /// m; largest less smallest position of the handle in the next `ticks` ticks.
     double swing(int ticks)
     {
         double least = infinity;
@@ -139,7 +139,7 @@ TEST(VirtualDevice, VelocityIsThatOfTheToldPositionsFiltered)
     {
         const double velocity = device.read(i * dt).linear_velocity.x();
         mean += i >= 1000 ? velocity / 1000 : 0;
-        // One step of the encoder in one tick would be 0.03 m/s, unfiltered.
+        // Unfiltered, one encoder step in a tick would be 0.03 m/s.
         ASSERT_TRUE(i < 1000 || std::abs(velocity - 0.1) < 0.015) << velocity;
     }
     EXPECT_NEAR(mean, 0.1, 1e-4);
