@@ -74,7 +74,7 @@ inline Outcome mean_of(const std::vector<Outcome> &outcomes)
 class CoupledRun
 {
 public:
-    /// @param late s; delay of the servo by each step of the scene.
+    /// @param late s; simulated duration of each step of the scene.
     CoupledRun(const CouplingCase &scenario, const Vector3 &offset, Stepper stepper, double physics_rate,
                double late = 0)
         : scene_(stepper), scenario_(scenario), hand_(scenario.hand), decoupled_(physics_rate != one_thread)

@@ -118,7 +118,7 @@ TEST(Coupling, ACornerIsTouchedByBothItsWalls)
     EXPECT_EQ(CoupledRun(corner(), Vector3::Zero(), Stepper::exact, 100).outcome().most_touches, 2);
 }
 
-// Each step of the scene delays the servo by 2 ms.
+// Each step of the scene takes 2 ms of simulated time.
 TEST(Coupling, ARopeHoldsWhenTheSceneComesLate)
 {
     const CouplingCase scenario = rope(3, 0.002);

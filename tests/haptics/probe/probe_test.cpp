@@ -115,7 +115,7 @@ TEST_F(HapticProbeTest, NestedSpacesAreThere)
 TEST_F(HapticProbeTest, TheDeepestContactOfATriangleMeshCounts)
 {
     ProbeWorld world;
-    // Two triangles side by side, one of them lower on its far side: a roof that is highest at x = 0.
+    // Two triangles form a roof that is highest at x = 0.
     const double vertices[] = {0, -1, 0, 0, 1, 0, 1, 0, -0.5, -1, 0, -0.5};
     const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3};
     const dTriMeshDataID data = dGeomTriMeshDataCreate();
@@ -171,7 +171,7 @@ TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
     world.run(probe, 100);
     ASSERT_EQ(probe.touches().size(), 1U);
 
-    // Between the collision and the reaction.
+    // The body is destroyed between the collision and the reaction.
     probe.begin(2);
     world.collide(probe);
     dGeomDestroy(dBodyGetFirstGeom(second));
