@@ -38,7 +38,7 @@ TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
     EXPECT_EQ(device_.last_wrench().force.z(), 3);
 }
 
-/// Calls back from within the driver.
+/// A driver that calls a function of the test.
 class NosyDevice : public ScriptedDevice
 {
 public:
@@ -165,7 +165,7 @@ TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
     NosyDevice device;
     device.open();
     DeviceGate gate(device);
-    int inside = 0; // not atomic: the gate orders it, or ThreadSanitizer tells
+    int inside = 0; // not atomic: the gate orders it, or ThreadSanitizer reports a race
     bool crowded = false;
     device.inside = [&] {
         crowded = crowded || inside != 0;
