@@ -20,7 +20,7 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double k = 500; // N/m; the stiffness of both laws
+constexpr double k = 500; // N/m
 
 /// The parameters: whether the law is the proxy's, and whether the loop has two threads.
 class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>

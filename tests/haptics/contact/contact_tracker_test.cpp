@@ -58,7 +58,6 @@ private:
 class ContactTrackerTest : public testing::TestWithParam<bool>
 {
 protected:
-    /// Runs one tick with these plates. @return the touches.
     const std::vector<Touch> &look(const Vector3 &tool, const std::vector<const Plate *> &plates)
     {
         tracker_.begin();

@@ -179,7 +179,7 @@ TEST_P(HeldContactTest, AThinDiscStopsWhatFliesAtTenMetresPerSecond)
 
 TEST_P(HeldContactTest, AWireCannotBePassedAtTenMetresPerSecond)
 {
-    dGeomSetPosition(dCreateCapsule(world_.space, 0.0005, 0.4), 0.0005, 0, 0); // along z
+    dGeomSetPosition(dCreateCapsule(world_.space, 0.0005, 0.4), 0.0005, 0, 0);
     expect_stopped_at_front();
 }
 
@@ -316,7 +316,7 @@ TEST_P(HeldContactTest, AHoleThatIsLargeEnoughLetsTheProbeThrough)
 
 TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
 {
-    const OdeMesh mesh(sheet_with_a_hole(1)); // from 0 to 1 cm in x and in y
+    const OdeMesh mesh(sheet_with_a_hole(1));
     mesh.add_to(world_.space);
     const Vector3 middle(0.005, 0.005, 0);
     const double resting = std::sqrt(radius * radius - 0.005 * 0.005); // the height at which it lies on the four edges
@@ -338,7 +338,6 @@ MeshShape waves(double height)
     return shape;
 }
 
-/// Crosses the waves at 0.5 m/s, at a constant height.
 ScriptedDevice::Path over_the_waves(double height)
 {
     return [height](double t) {

@@ -13,9 +13,8 @@ namespace
 class ManyTouchesTest : public ContactTest
 {
 protected:
-    static constexpr double ball = 0.0005; // m; radius of a ball
+    static constexpr double ball = 0.0005; // m
 
-    /// Adds fixed balls on a spiral around the lower half of the probe.
     void add_bed(int balls)
     {
         const double turn = M_PI * (3 - std::sqrt(5.0));
@@ -31,7 +30,7 @@ protected:
         }
     }
 
-    /// N; the sum of one spring per ball, upwards.
+    /// N
     double sum_of_springs() const
     {
         double sum = 0;
@@ -49,7 +48,7 @@ protected:
         return run([this](double seconds) { return between({0, 0, 0.02}, goal, 0.2, 1, seconds); }, 1.5);
     }
 
-    const Vector3 goal = {0, 0, -0.0002}; // m; the hand's target
+    const Vector3 goal = {0, 0, -0.0002}; // m
     NoticeList notices_;
     std::vector<Vector3> balls_;
 };

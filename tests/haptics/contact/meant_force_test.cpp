@@ -22,7 +22,6 @@ std::vector<TriangleCorners> triangles_of(const MeshShape &shape)
     return triangles;
 }
 
-/// Scrubs over the sheet in curves, at varying depth.
 ScriptedDevice::Path scrub(double speed, double depth)
 {
     return [=](double seconds) -> Vector3 {

@@ -105,7 +105,6 @@ protected:
         return shape;
     }
 
-    /// Presses the probe down the middle, then moves it from side to side.
     ScriptedDevice::Path press(double depth) const
     {
         const double top = resting() + 0.02, low = resting() - depth;

@@ -114,7 +114,6 @@ TEST_P(PosedGeomTest, TheSameWhereTheSceneIsSlow)
         expect_full_force(kind, 0.5);
 }
 
-// A door turns on a hinge 0.15 m beside the probe.
 TEST_P(PosedGeomTest, WhatIsTurnedWithoutAVelocityPushesInFull)
 {
     const Vector3 hinge(-0.15, 0, -radius + pressed);

@@ -8,9 +8,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Expects each force within 1 % of the truth.
-/// @param samples of a run of a ContactTest.
-/// @param least_felt more samples than this must have over 0.5 N.
+/// Expects each force within 1 % of the truth, and more than `least_felt` samples above 0.5 N.
 template <typename Samples>
 void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, double least_felt)
 {

@@ -15,7 +15,7 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double scrubbed_ball = 0.05; // m; the mean radius of the mesh
+constexpr double scrubbed_ball = 0.05; // m
 
 /// A ball of some 4 n^2 triangles. Its noise is in proportion to its cells, so that edges and angles between triangles have the
 /// same distribution at each resolution.

@@ -20,7 +20,6 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(), testing::Values(true)),
                          contact_test_name);
 
-/// Presses 3 mm into the ridges, then crosses them at 0.5 m/s, at an angle.
 Vector3 over_the_ridges(double t)
 {
     const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, radius - 0.003), end(0.2, 0.05, radius - 0.003);

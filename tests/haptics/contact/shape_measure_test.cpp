@@ -96,7 +96,6 @@ void add_crowd(Things &things, int count)
     }
 }
 
-/// Crosses the crowd and comes back, along a knot.
 Vector3 through_the_crowd(double t)
 {
     return {0.09 * std::sin(2 * t), 0.09 * std::sin(3 * t + 0.5), 0.09 * std::cos(2.5 * t)};
@@ -119,7 +118,6 @@ void add_moving_things(Things &things)
     things.world.add_moving_box({0.04, 0.04, 0.04}, {0.02, 0.12, 0.02}, 0.2); // free: the hand pushes it
 }
 
-/// Five tetrahedra in a row.
 void add_convexes(Things &things)
 {
     static const std::array<dReal, 12> points = {0.02,  0,      -0.01, -0.01, 0.018, -0.01,
@@ -172,7 +170,6 @@ const Scene scenes[] = {
      [](double t) { return Vector3(0.06 * std::sin(2 * t), 0.012 * std::sin(9 * t), 0.035 - 0.015 * t); }, 1.5},
 };
 
-/// The results of a tick.
 struct Felt
 {
     Vector3 requested;                                       ///< N; the law's force

@@ -122,7 +122,6 @@ TEST(MeshTree, ACornerOfManyTrianglesIsFeltByTheSameOneFromEverywhere)
     EXPECT_EQ(felt.size(), 1U);
 }
 
-/// Whether a segment crosses a triangle.
 bool crosses(const Vector3 &from, const Vector3 &to, const TriangleCorners &corners)
 {
     const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);

@@ -63,7 +63,6 @@ protected:
             << samples.back().requested.transpose();
     }
 
-    /// Calls `event` once, at the first step from `time` on.
     std::function<void(double)> once(double time, std::function<void()> event)
     {
         return [this, time, event = std::move(event), done = false](double) mutable {

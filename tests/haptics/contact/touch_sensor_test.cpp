@@ -20,7 +20,6 @@ ToolState at(const Vector3 &position)
 class TouchSensorTest : public testing::Test
 {
 protected:
-    /// Runs one tick of the sensor.
     const std::vector<Touch> &look(TouchSensor &sensor, const Vector3 &position)
     {
         sensor.clear();

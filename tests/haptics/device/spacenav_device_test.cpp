@@ -23,7 +23,6 @@ protected:
     SpacenavDevice device{without_dead_zone};
 };
 
-/// Reads once per millisecond.
 DeviceState read_until(SpacenavDevice &device, double from, double to)
 {
     DeviceState state;

@@ -83,7 +83,7 @@ TEST(VirtualDevice, OscillatesExactlyHoweverOftenItIsRead)
         VirtualDevice device(settings, origin);
         device.open();
         device.read(0);
-        device.write({Vector3(2.5, 0, 0), Vector3::Zero()}); // to 1 cm
+        device.write({Vector3(2.5, 0, 0), Vector3::Zero()});
         device.read(20);
         ASSERT_NEAR(device.true_position().x(), 0.01, 1e-12);
         device.write(Wrench());

@@ -17,17 +17,16 @@ namespace
 {
 constexpr double stiffness = 500;     // N/m
 constexpr double probe_radius = 0.03; // m
-constexpr double ball = 0.002;        // m; radius of a ball
+constexpr double ball = 0.002;        // m
 constexpr int phases = 8;             // number of phases of the first touch between two ticks
 
-/// Balls all around a resting hand.
 struct Bounce
 {
     int balls = 2;
-    double kilograms = 0.005; ///< of each
-    double speed = 1;         ///< m/s
-    double physics_rate = 0;  ///< Hz; 0: one thread
-    bool by_proxy = true;     ///< proxy law; otherwise penalty law
+    double kilograms = 0.005;
+    double speed = 1;        ///< m/s
+    double physics_rate = 0; ///< Hz; 0: one thread
+    bool by_proxy = true;    ///< proxy law; otherwise penalty law
 };
 
 std::ostream &operator<<(std::ostream &stream, const Bounce &bounce)

@@ -159,7 +159,6 @@ using LoopBodyTest = HapticLoopTest;
 INSTANTIATE_TEST_SUITE_P(Kinds, LoopBodyTest, testing::Bool(),
                          [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
 
-/// The callback of a step that breaks the body.
 enum class In
 {
     collide,

@@ -34,7 +34,7 @@ struct Outcome
     double hand_work = 0;                                         ///< J; done by the hand
     double unmatched = 0;       ///< the part of the impulse on the hand that the bodies did not get
     double force_at_change = 0; ///< N; when the program changed the scene
-    int most_touches = 0;       ///< at once
+    int most_touches = 0;
     int notices = 0;
 };
 

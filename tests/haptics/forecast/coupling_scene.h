@@ -84,7 +84,6 @@ public:
         dJointSetSliderAxis(joint, axis.x(), axis.y(), axis.z());
     }
 
-    /// Destroys a body and its geoms.
     void destroy(std::size_t body)
     {
         while (const dGeomID geom = dBodyGetFirstGeom(bodies[body]))
@@ -203,7 +202,6 @@ private:
     HapticProbe *probe_ = nullptr;
 };
 
-/// A straight path of the hand, which may sway.
 struct HandWay
 {
     Vector3 from;

@@ -71,7 +71,6 @@ std::vector<NamedCase> coupled_scenes()
     return cases;
 }
 
-/// Two touches of one body, friction, both laws.
 std::vector<NamedCase> several_touches()
 {
     std::vector<NamedCase> cases;
@@ -84,7 +83,6 @@ std::vector<NamedCase> several_touches()
     return cases;
 }
 
-/// Changes that a program makes to the pushed bodies.
 std::vector<NamedCase> changed_scenes()
 {
     std::vector<NamedCase> cases;

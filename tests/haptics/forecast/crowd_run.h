@@ -17,7 +17,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Bodies that a sphere touches at the same time.
 enum class Crowd
 {
     pit,  ///< balls side by side on a floor, between four walls
@@ -29,10 +28,10 @@ struct CrowdCase
 {
     Crowd crowd = Crowd::pit;
     int bodies = 5;
-    double kilograms = 0.005; ///< of each
-    double opening = 10;      ///< degrees; of a wedge
-    bool by_proxy = true;     ///< proxy law; otherwise penalty law
-    double physics_rate = 0;  ///< Hz; of the scene in two threads, 0: one thread at 1 kHz
+    double kilograms = 0.005;
+    double opening = 10;     ///< degrees; of a wedge
+    bool by_proxy = true;    ///< proxy law; otherwise penalty law
+    double physics_rate = 0; ///< Hz; of the scene in two threads, 0: one thread at 1 kHz
     Stepper stepper = Stepper::quick;
     bool by_collide = false; ///< the balls are in geom transforms, whose surface only dCollide() knows
 };
@@ -114,7 +113,7 @@ class CrowdRun
 public:
     static constexpr double stiffness = 500;     ///< N/m
     static constexpr double probe_radius = 0.03; ///< m
-    static constexpr double ball = 0.01;         ///< m; radius of a ball
+    static constexpr double ball = 0.01;         ///< m
 
     /// @param hand 0 to 7; it decides the hand's path and the places of the balls.
     CrowdRun(const CrowdCase &scenario, int hand) : scene_(scenario.stepper), scenario_(scenario), random_(hand)
@@ -134,7 +133,6 @@ public:
     const CrowdOutcome &outcome() const { return outcome_; }
 
 private:
-    /// Changes in one tick.
     struct Change
     {
         double force; ///< N

@@ -15,7 +15,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double side = 0.06; // m; side of a body
+constexpr double side = 0.06; // m
 
 std::shared_ptr<ForceLaw> make_law(bool proxy, double stiffness)
 {
@@ -38,7 +38,6 @@ protected:
         return body;
     }
 
-    /// Runs a loop of two threads with the law of the parameter.
     void run(Device &device, double stiffness, double rate, double physics_rate, double duration,
              const std::function<void(const RenderedTick &)> &recorder = {},
              const std::function<void()> &each_step = {})
@@ -68,7 +67,6 @@ protected:
     ProbeWorld world_;
 };
 
-/// Waits while forces ramp in, then moves at a constant speed along x.
 ScriptedDevice::Path push_at(double speed, double start)
 {
     return [=](double seconds) -> Vector3 { return {start + speed * std::max(0.0, seconds - 1), 0, 0}; };
@@ -105,7 +103,6 @@ TEST_P(LightBodyTest, AFreeBodyLeavesAHandOfConstantSpeedAtTwiceItsSpeed)
     }
 }
 
-/// Presses, holds and lets up, 1 to 4 mm deep.
 double press_depth(double seconds)
 {
     const double t = seconds - 1;
@@ -141,7 +138,6 @@ protected:
         return worst;
     }
 
-    /// Presses cubes of several masses against their support.
     void expect_the_stiffness_of_the_wall(const Vector3 &place, const Vector3 &towards)
     {
         for (const double stiffness : {200.0, 500.0})

@@ -15,7 +15,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Properties of every surface law.
 class SurfaceLaw : public testing::TestWithParam<const char *>
 {
 protected:
@@ -26,7 +25,6 @@ protected:
         return std::make_unique<Felt<ProxyLaw>>(properties);
     }
 
-    /// Expects k d n from a new law.
     void expect_spring(double stiffness, const ToolState &tool, const Touch &touch)
     {
         TouchForces forces;

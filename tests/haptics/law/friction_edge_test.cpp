@@ -20,7 +20,6 @@ protected:
         physics_rate_ = 100;
     }
 
-    /// The tool goes down beside the edge at the y axis, across it, and back.
     std::vector<Sample> cross(double height)
     {
         constexpr double away = 0.02; // m
@@ -53,10 +52,9 @@ protected:
         EXPECT_GT(sliding, static_cast<int>(samples.size()) / 4);
     }
 
-    /// Compares successive ticks while the tool is pressed.
     void expect_no_jump(const std::vector<Sample> &samples) const
     {
-        const double spring = k * speed * (decoupled() ? 1.0 / 4000 : 1.0 / 1000); // N; from the hand's travel in a tick
+        const double spring = k * speed * (decoupled() ? 1.0 / 4000 : 1.0 / 1000); // N; for the hand's travel in a tick
         for (std::size_t i = 1; i < samples.size(); ++i)
             if (samples[i].time > 0.45)
             {

@@ -9,7 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A flat surface of triangles.
 struct Grid
 {
     double cell;  ///< m
@@ -27,7 +26,6 @@ protected:
         return Eigen::AngleAxisd(GetParam().turn, Vector3(1, 2, -0.5).normalized()).toRotationMatrix();
     }
 
-    /// Presses and scrubs in curves.
     Vector3 hand(double seconds) const
     {
         const double down = std::clamp((seconds - 0.8) / 0.3, 0.0, 1.0);

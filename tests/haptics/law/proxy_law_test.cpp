@@ -195,7 +195,6 @@ TEST(ProxyLaw, IsNotPushedOutAtTheBackOfAThinObject)
         EXPECT_NEAR(forces[0].z(), 0.1 * tick, 1e-9);
         EXPECT_NEAR(law.proxy().z(), 0, 1e-12);
     }
-    // The tool leaves at the top, with the same forces.
     for (int tick = 39; tick > 0; --tick)
     {
         tool.position.z() = -0.0001 * tick;

@@ -116,7 +116,6 @@ TEST_F(CoupledLoopTest, WithoutTheClampTheHandWouldShake)
     EXPECT_GT(rest_motion(hand, with_stiffness(10 * light_bound)), 10 * at_rest);
 }
 
-/// Adds a wall to press on and boxes to push.
 void furnish(ProbeWorld &world)
 {
     dCreatePlane(world.space, 0, 0, 1, 0);

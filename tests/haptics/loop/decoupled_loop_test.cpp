@@ -68,7 +68,6 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
         ProbeWorld world;
         const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0.01, -0.05}, 20);
         ScriptedDevice device([](double seconds) -> Vector3 {
-            // The hand rests, then strokes and knocks.
             const double t = std::max(0.0, seconds - 1);
             return {0.02 * std::sin(3 * t), 0, 0.03 - 0.035 * std::pow(std::sin(8 * t), 2)};
         });

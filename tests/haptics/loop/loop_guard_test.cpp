@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A guard of a device that pushes with 1 N.
 class LoopGuardTest : public testing::Test
 {
 protected:
@@ -73,7 +72,6 @@ TEST_F(LoopGuardTest, ADeviceThatTakesNoZeroIsClosedAndToldOf)
     EXPECT_NE(notices_.text(NoticeKind::guard).find("the plug has been pulled"), std::string::npos);
 }
 
-/// A driver that hangs once in a write.
 class HangingDriver : public FaultyDevice
 {
 public:

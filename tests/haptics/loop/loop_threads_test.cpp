@@ -45,7 +45,6 @@ public:
 /// s, simulated; the end of a loop whose condition never holds. On a busy machine the probe touches repeatedly until then.
 constexpr double long_enough = 60;
 
-/// Forces without a ramp, so that tests need not wait.
 RenderSettings without_ramp()
 {
     SafetyLimits limits = SafetyLimits::of(desktop_capabilities());

@@ -48,7 +48,6 @@ TEST_F(HapticProbeTest, TheSameWhileTheForceIsClampedAndSlewed)
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
     NoticeList notices;
     ScriptedDevice device([](double seconds) -> Vector3 {
-        // Two blows: fast in, fast out.
         return {0, 0, seconds < 1 ? 0.03 : 0.03 - 0.06 * std::pow(std::sin(32 * (seconds - 1)), 2)};
     });
     HapticProbe probe(device, world.space, radius, with_stiffness(1000, notices.sink()));

@@ -40,7 +40,6 @@ TEST_F(HapticProbeTest, WhatTheHandGetsTheToolLoses)
     EXPECT_LE((impulse + momentum_of(tool)).norm(), 1e-9 * impulse.norm());
 }
 
-/// A handle that the test turns.
 class TurnedDevice : public ScriptedDevice
 {
 public:

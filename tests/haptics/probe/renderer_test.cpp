@@ -86,7 +86,6 @@ TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
     }
 }
 
-/// A force in free space that does not depend on the hand.
 class ConstantLaw : public ForceLaw
 {
 public:

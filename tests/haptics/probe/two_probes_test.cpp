@@ -16,7 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A program's near callback, as in the guide.
 struct TwoProbeWorld
 {
     ProbeWorld world;
@@ -179,11 +178,9 @@ private:
     std::atomic<double> shown_{0};                              ///< s; for other threads
 };
 
-/// Each of two threads runs a loop with one of two probes.
 class TwoLoops : public HapticProbeTest
 {
 protected:
-    /// @param advance called in each step with the loop and its number.
     void run(int number, LoopSettings settings, const std::function<void(HapticLoop &, int)> &advance)
     {
         settings.scene = &mutex_;
@@ -192,7 +189,6 @@ protected:
         loop.run({[&] { scene_.collide(); }, [&](double) { advance(loop, number); }});
     }
 
-    /// @param run_loop called in both threads with the number of the loop.
     static void in_two_threads(const std::function<void(int)> &run_loop)
     {
         std::thread other([&] {

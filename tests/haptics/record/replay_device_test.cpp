@@ -41,7 +41,6 @@ Recording smooth_run(double start, double period, int count)
     return recording;
 }
 
-/// The force of a wall with damping.
 Vector3 wall_force(const DeviceState &state)
 {
     const double depth = -state.position.x();

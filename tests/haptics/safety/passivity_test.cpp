@@ -31,7 +31,6 @@ TEST(Passivity, ObservesWhatTheHandPutsIn)
 
 TEST(Passivity, DoesNothingToWhatIsPassive)
 {
-    // The hand presses softly on a wall without delay, far below the bound.
     PassivityController controller(5);
     SimulatedHand hand;
     hand.damping = 2;
@@ -86,7 +85,6 @@ TEST(Passivity, ACreditEndsWithTheTouchADebtDoesNot)
     EXPECT_EQ(controller.energy(), 0);
 }
 
-/// A hand that presses for ten seconds on a wall that answers late.
 struct LateWall
 {
     double swing_at_first, swing_in_the_end; // m; of one second each

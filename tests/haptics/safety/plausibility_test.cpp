@@ -15,7 +15,6 @@ namespace
 {
 constexpr double stiffness = 500; // N/m
 
-/// A device that reports no velocity.
 class PositionsOnly : public ScriptedDevice
 {
 public:
@@ -59,7 +58,6 @@ protected:
     NoticeList notices_;
 };
 
-/// Rests above the plane, and at 1.2 s jumps to this height.
 ScriptedDevice::Path jump_to(double height)
 {
     return [=](double seconds) -> Vector3 { return {0, 0, seconds < 1.2 ? 0.05 : height}; };
@@ -109,7 +107,6 @@ TEST_F(PlausibilityTest, DampingWorksWithADeviceThatTellsNoVelocity)
     EXPECT_NEAR(probe.last_tick().requested.z(), stiffness * depth + damping * speed, 0.01 * damping * speed);
 }
 
-/// Leans 2 mm into the plane from 1.5 s on.
 ScriptedDevice::Path lean()
 {
     return reach({0, 0, 0.05}, {0, 0, radius - 0.002});
@@ -193,8 +190,7 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
     ProbeWorld world;
     HapticProbe probe(device, world.space, radius, settings);
     world.run(probe, 1000);
-    world.add_box({0.2, 0.2, 0.02},
-                  {0, 0, -0.009}); // its top is 1 mm above the middle of the probe
+    world.add_box({0.2, 0.2, 0.02}, {0, 0, -0.009}); // its top is 1 mm above the middle of the probe
     Vector3 before = Vector3::Zero();
     for (int tick = 0; tick < 600; ++tick)
     {

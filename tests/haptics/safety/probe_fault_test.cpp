@@ -11,7 +11,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A plane to touch, a device that can break, and the notices.
 class ProbeFaultTest : public HapticProbeTest
 {
 protected:
@@ -22,7 +21,6 @@ protected:
         add_shape(world_, Shape::plane);
     }
 
-    /// Runs until the force is complete.
     void press(HapticProbe &probe)
     {
         world_.run(probe, reach_ticks);

@@ -27,7 +27,6 @@ enum class RunKind
     two_threads
 };
 
-/// The place in which the program ends.
 enum class Place
 {
     near,
@@ -215,7 +214,6 @@ private:
     OwnClock clock_;
 };
 
-/// A program leans on a plane, and ends in a place while there is a force.
 class LeaningProgramEnds : public ProgramEnds
 {
 protected:
@@ -277,7 +275,6 @@ INSTANTIATE_TEST_SUITE_P(Places, ProgramEndTest, testing::ValuesIn(all_end_place
     return std::string(name_of(std::get<0>(info.param))) + name_of(std::get<1>(info.param));
 });
 
-/// The parameter: the kind of run.
 class ProgramEndRunTest : public LeaningProgramEnds, public testing::WithParamInterface<RunKind>
 {};
 

@@ -14,7 +14,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A number of any kind that a double can hold.
 double any_number(RandomNumbers &random)
 {
     switch (random.below(12))
@@ -41,7 +40,6 @@ Vector3 any_vector(RandomNumbers &random, bool wild)
     return wild ? Vector3(any_number(random), any_number(random), any_number(random)) : random.in_cube(10);
 }
 
-/// Properties of two consecutive wrenches that hold for every input.
 struct Expectation
 {
     SafetyLimits limits;

@@ -32,7 +32,6 @@ Wrench wrench_of(double newtons, double newton_metres = 0)
     return wrench;
 }
 
-/// A stage in a loop of 1 kHz.
 struct Loop
 {
     explicit Loop(const SafetyLimits &limits) : stage(limits) {}

@@ -57,7 +57,6 @@ private:
     std::deque<double> forces_;
 };
 
-/// The range of positions.
 class Swing
 {
 public:

@@ -16,7 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A probe that leans on a plane in a separate world.
 class LeaningProbe
 {
 public:

@@ -34,7 +34,6 @@ struct Program
             tick();
     }
 
-    /// Runs up to full force.
     void settle()
     {
         run(1);

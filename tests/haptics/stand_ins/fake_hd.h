@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-/// The arm's pose in the library's units.
 struct FakeHdPose
 {
     double position[3];   ///< mm
@@ -52,7 +51,6 @@ std::uint64_t fake_hd_playing_at_stop(double force[3]);
 /// The functions called since the reset, in order, each followed by a blank. Those of frames and errors are left out.
 const char *fake_hd_calls();
 
-/// Whether an hdEnable() option is on.
 int fake_hd_is_enabled(std::uint32_t option);
 }
 

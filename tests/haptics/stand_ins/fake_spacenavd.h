@@ -34,13 +34,10 @@ public:
     void send_button(int button, bool is_pressed) { send({is_pressed ? 1 : 2, button, 0, 0, 0, 0, 0, 0}); }
     void send_unplugged() { send({3, 1, 0, 0, 0, 0, 0, 0}); }
 
-    /// Sends a message that is no event.
     void send_nonsense() { send({0x7fff0000, 1, 2, 3, 4, 5, 6, 7}); }
 
-    /// Sends only the first half of an event.
     void send_half_a_motion(int x);
 
-    /// Closes the connection and the socket.
     void stop();
 
     const std::string &socket_path() const { return path_; }

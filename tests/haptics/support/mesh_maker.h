@@ -53,7 +53,6 @@ inline MeshShape sheet_mesh(double side, int cells)
     return grid_mesh(side / cells, cells, cells);
 }
 
-/// A closed box between two corners.
 inline MeshShape box_mesh(const Vector3 &low, const Vector3 &high)
 {
     const auto at = [&](int x, int y, int z) -> Vector3 {

@@ -22,7 +22,6 @@ inline Capabilities desktop_capabilities()
     return capabilities;
 }
 
-/// A force along z.
 inline Wrench push(double newtons)
 {
     Wrench wrench;
@@ -90,7 +89,6 @@ public:
 
     const std::vector<LoggedWrite> &writes() const { return writes_; }
 
-    /// The force that the device renders at this time.
     Vector3 force_at(double time) const
     {
         Vector3 force = Vector3::Zero();
