@@ -23,7 +23,7 @@ constexpr double fastest_turn = 5;                  // rad/s
 constexpr int objects_per_moving_pose = 20;
 constexpr double half_move = -1; // unless the specification has another share
 
-/// How gas and the worlds like it differ.
+/// Differences between gas and the worlds like it.
 struct GasSettings
 {
     double volume_fraction;

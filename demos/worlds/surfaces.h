@@ -50,12 +50,12 @@ public:
     /// A faceted ball of 80 triangles: an icosahedron whose triangles are split once. The first in a mesh.
     void add_ball(double radius);
 
-    /// After the last triangle.
+    /// Call after the last triangle.
     ///
     /// @param for_convexes find the angles of faces, which ODE needs to find contacts with convexes.
     void build(bool for_convexes = false);
 
-    /// After build().
+    /// Call after build().
     dGeomID make_geom(dSpaceID space) const { return dCreateTriMesh(space, data_, nullptr, nullptr, nullptr); }
 
 private:
