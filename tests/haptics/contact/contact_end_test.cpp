@@ -123,7 +123,6 @@ protected:
     }
 };
 
-/// An inner corner at the origin: a floor and a wall, as one mesh.
 MeshShape corner_mesh()
 {
     MeshShape shape;
@@ -132,7 +131,6 @@ MeshShape corner_mesh()
     return shape;
 }
 
-/// Presses 4 mm into the floor, then 4.1 mm into the wall, and slides along it.
 Vector3 into_the_corner(double t)
 {
     const Vector3 above(0.03, 0, 0.03), floor(0.03, 0, radius - 0.004), corner(radius - 0.0041, 0, radius - 0.004);

@@ -31,7 +31,7 @@ protected:
     ContactManifold manifold_;
 };
 
-// Before, the new touch was rendered in full at once, so that the force jumped.
+// Once, the new touch was rendered in full immediately, so that the force jumped.
 TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
 {
     tick({touch_of(1, 0.01)});
@@ -42,7 +42,7 @@ TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
     EXPECT_LT(after.part, 0.01);
 }
 
-// Before, a ball that took over from faster ones counted as an object that had appeared: half a second passed without its
+// Once, a ball that took over from faster ones counted as an object that had appeared: half a second passed without its
 // force.
 TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
 {
@@ -59,8 +59,8 @@ TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
     EXPECT_EQ(tick({moving(3, 0.004, 0)})[0].part, 0) << "the former did not move, and it is deeper";
 }
 
-// When bodies yield, the shares of the next touches are large at once. Before, these counted as objects that had appeared, and
-// the force fell.
+// When bodies yield, the next touches have large shares immediately. Once, these counted as objects that had appeared, and the
+// force fell.
 TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
 {
     const auto solved = [](std::uintptr_t object, double slant, double share) {
@@ -99,7 +99,7 @@ TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
     }
 }
 
-// Before, a body that moves only with the scene's next step yielded as if it moved within the tick: contacts were too stiff
+// Once, a body that moves only with the scene's next step yielded as if it moved within the tick: contacts were too stiff
 // while an object rose beside it.
 TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
 {

@@ -173,7 +173,7 @@ double largest_region(const std::vector<dGeomID> &geoms, const std::function<voi
     return largest;
 }
 
-// Before, the places of geoms that did not hold the sphere moved to the tool: the region grew to 1.4 m.
+// Once, the places of geoms that did not hold the sphere moved to the tool: the region grew to 1.4 m.
 TEST(ContactTracker, WhatHoldsTheSphereKeepsTheRegionSmallWhereverTheToolIs)
 {
     const OdeUse ode;
@@ -185,7 +185,7 @@ TEST(ContactTracker, WhatHoldsTheSphereKeepsTheRegionSmallWhereverTheToolIs)
     EXPECT_LT(largest_region({cage, other}, [](double) {}), 5.1 * radius);
 }
 
-// Before, the region included the places on both plates: 0.53 m.
+// Once, the region included the places on both plates: 0.53 m.
 TEST(ContactTracker, PlatesThatPassEachOtherKeepTheRegionSmall)
 {
     const OdeUse ode;

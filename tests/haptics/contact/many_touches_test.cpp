@@ -108,7 +108,7 @@ double energy_after_bounce(int balls, double physics_rate, std::shared_ptr<Force
     return scene.energy();
 }
 
-// Eight balls are rolled out. Before, the roll-outs moved all others with the whole impulse of the hand, although these answer
+// Eight balls are rolled out. Once, the roll-outs moved all others with the whole impulse of the hand, although these answer
 // a push only at the next step: they left with 1e9 times the energy.
 TEST(ManyBodies, BounceOffInTwoThreadsAsInOne)
 {
@@ -126,7 +126,7 @@ TEST(ManyBodies, BounceOffInTwoThreadsAsInOne)
     }
 }
 
-// Before, a lagging proxy had its own place for each ball, which depended on the order of the geoms and cost up to 5 % of the
+// Once, a lagging proxy had its own place for each ball, which depended on the order of the geoms and cost up to 5 % of the
 // energy in some phases. A ball that took over from others counted as one that had appeared, which cost up to 14 %.
 TEST(ManyBodies, BounceOffInTwoThreadsAsInOneWheneverTheyCome)
 {

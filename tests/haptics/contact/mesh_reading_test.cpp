@@ -84,7 +84,7 @@ class UnpreparedMeshTest : public ContactTest
 INSTANTIATE_TEST_SUITE_P(Laws, UnpreparedMeshTest, testing::Combine(testing::Bool(), testing::Bool()),
                          contact_test_name);
 
-// Before, one tick read the whole mesh: 1.2 s for 1.3 million triangles, without a notice.
+// Once, one tick read the whole mesh: 1.2 s for 1.3 million triangles, without a notice.
 TEST_P(UnpreparedMeshTest, IsFeltByOdeUntilItHasBeenReadAndHeldFromThenOn)
 {
     const OdeMesh mesh(sheet_mesh(0.6, 150));

@@ -97,7 +97,7 @@ private:
 
 INSTANTIATE_TEST_SUITE_P(Laws, PosedGeomTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
 
-// Before, geoms faster than 0.1 m/s counted as having appeared, depending on the first depth: 4 % of the force.
+// Once, geoms faster than 0.1 m/s counted as having appeared, depending on the first depth: 4 % of the force.
 TEST_P(PosedGeomTest, WhatIsPosedWithoutAVelocityPushesInFull)
 {
     for (const Posed kind : all_kinds)

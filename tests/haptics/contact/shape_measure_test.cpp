@@ -17,7 +17,6 @@ enum class Measure
     sweep_and_prune
 };
 
-/// A world, and the meshes that must live as long.
 struct Things
 {
     explicit Things(Measure measure)

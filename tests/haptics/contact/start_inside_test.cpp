@@ -85,7 +85,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Laws, StartInsideTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
 
-// Before, the mesh held the probe from within, wherever the tool was: 450 N at 1 m.
+// Once, the mesh held the probe from within, wherever the tool was: 450 N at 1 m.
 TEST_P(StartInsideTest, InAClosedMeshNothingOfItIsFeltUntilItWasLeft)
 {
     const OdeMesh mesh(dented_mesh());

@@ -22,7 +22,6 @@ VirtualDeviceSettings free_mass()
     return settings;
 }
 
-/// A hand that presses 1 cm into a wall at x = 0.
 class PressedWall
 {
 public:

@@ -90,7 +90,7 @@ double mean_of(const std::vector<double> &values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Before, each impulse acted at the place of the touch in the scene, although the body had moved since. The lever arm was wrong
+// Once, each impulse acted at the place of the touch in the scene, although the body had moved since. The lever arm was wrong
 // by millimetres, light balls left with hundreds of radians per second and threw the proxy about: they gained up to 1e13 times
 // their energy.
 TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
@@ -109,7 +109,7 @@ TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
     }
 }
 
-// Before, the proxy law gave balls from all sides up to 49 % more energy, and two balls of 1 g up to 125 %. With shares bounded
+// Once, the proxy law gave balls from all sides up to 49 % more energy, and two balls of 1 g up to 125 %. With shares bounded
 // by the deepest touch, four balls of 20 g gained 100 %.
 TEST(Bounce, LightBodiesFromAllSidesGainLittle)
 {

@@ -343,7 +343,6 @@ inline CouplingCase ragdoll()
     return ragdoll;
 }
 
-/// A ball of 10 g between the hand and a wall.
 inline CouplingCase held_ball()
 {
     CouplingCase ball;
@@ -378,7 +377,6 @@ inline CouplingCase scrubbing(double duration)
     return box;
 }
 
-/// Free balls side by side, pushed together throughout the run.
 inline CouplingCase free_balls(const std::vector<double> &kilograms)
 {
     CouplingCase balls;

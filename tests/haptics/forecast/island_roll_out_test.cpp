@@ -88,7 +88,7 @@ TEST_F(IslandRollOutTest, PutsAllBack)
     EXPECT_EQ(dRandGetSeed(), 5U);
 }
 
-// The body has no geom and no joint. Before, each trial moved it, and it was not put back.
+// The body has no geom and no joint. Once, each trial moved it, and it was not put back.
 TEST_F(IslandRollOutTest, BodiesThatNothingLeadsToDoNotMove)
 {
     const dBodyID lost = dBodyCreate(dBodyGetWorld(other_));

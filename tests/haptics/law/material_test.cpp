@@ -30,7 +30,6 @@ protected:
     bool proxy_law() const { return std::get<0>(GetParam()); }
     bool decoupled() const { return std::get<1>(GetParam()); }
 
-    /// @param one_body whether the boxes belong to one kinematic body.
     void build(bool one_body)
     {
         for (const dGeomID box : {left_, right_})

@@ -15,7 +15,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A hand that aims 5 mm into the plane z = 0.
 Vector3 press(double seconds)
 {
     const double u = std::clamp((seconds - 1) / 0.5, 0.0, 1.0);

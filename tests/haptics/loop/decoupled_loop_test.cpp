@@ -83,7 +83,7 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
     }
 }
 
-// Each impulse reaches the scene before its step. Before, impulses came a tick late and were made up for by pulses: steps of
+// Each impulse reaches the scene before its step. Once, impulses came a tick late and were made up for by pulses: steps of
 // 1.25 ms got 0.5 to 1.6 times the force.
 TEST_F(DecoupledLoopTest, ASteadyForceReachesABodyEvenly)
 {

@@ -33,7 +33,6 @@ inline Vector3 press_down(double seconds)
     return {0, 0, 0.05 + u * u * u * (10 + u * (-15 + 6 * u)) * (radius - depth - 0.05)};
 }
 
-/// A loop of either kind in simulated time. A hand presses on a plane.
 class HapticLoopTest : public testing::TestWithParam<bool>
 {
 protected:

@@ -126,7 +126,7 @@ TEST_F(ClutchTest, ACouplingComesBackGradually)
     EXPECT_NEAR(before, 500 * 0.004, 0.2);
 }
 
-// Before, both tiles pushed separately while their forces rose: twice the force, which fell by half at the end.
+// Once, both tiles pushed separately while their forces rose: twice the force, which fell by half at the end.
 TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
 {
     ProbeWorld world;

@@ -171,7 +171,7 @@ TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
     EXPECT_LE(encounters[0].seconds, 0.01 / speed) << "never late";
 }
 
-// Before, at most 64 encounters were listed, so that the next touched object could be missing.
+// Once, at most 64 encounters were listed, so that the next touched object could be missing.
 TEST_F(HapticProbeTest, TellsAllThatIsNear)
 {
     ProbeWorld world;

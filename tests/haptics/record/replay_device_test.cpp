@@ -25,7 +25,6 @@ Quaternion turn(double t)
     return Quaternion(Eigen::AngleAxisd(2 * t, Vector3(0, 0.6, 0.8)));
 }
 
-/// A smooth motion, sampled every `period` seconds from `start` on, without velocities.
 Recording smooth_run(double start, double period, int count)
 {
     Recording recording;

@@ -38,7 +38,6 @@ TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
     EXPECT_EQ(device_.last_wrench().force.z(), 3);
 }
 
-/// A driver that calls a function of the test.
 class NosyDevice : public ScriptedDevice
 {
 public:

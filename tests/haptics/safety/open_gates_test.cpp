@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A gate whose device pushes. This thread reads it.
 class PushingGate
 {
 public:

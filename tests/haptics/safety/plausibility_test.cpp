@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, AppearingObjectTest, testing::Bool(), [](const te
     return std::string(law.param ? "Proxy" : "Penalty");
 });
 
-// 5 N in 0.5 s are 0.01 N per ms. Before, only the limit of the change of force applied: 1.6 N per ms.
+// 5 N in 0.5 s are 0.01 N per ms. Once, only the limit of the change of force applied: 1.6 N per ms.
 TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
 {
     ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
@@ -205,7 +205,6 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
 
 TEST_F(PlausibilityTest, WhatIsReachedBySlidingOrMovingDoesNotAppear)
 {
-    // The tool comes down at 0.5 m/s, and slides over the seam of two boxes.
     world_.add_box({0.1, 0.2, 0.1}, {-0.05, 0, 0});
     world_.add_box({0.1, 0.2, 0.1}, {0.05, 0, 0});
     ScriptedDevice device([](double seconds) -> Vector3 {

@@ -103,7 +103,7 @@ void expect_no_force_without_a_geom(HapticProbe &probe, const ScriptedDevice &de
     EXPECT_TRUE(device.last_wrench().force.isZero(0));
 }
 
-// Before, ODE crashed without a message.
+// Once, ODE crashed without a message.
 TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
 {
     for (const SpaceChoice choice : all_space_choices)

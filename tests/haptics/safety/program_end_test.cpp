@@ -94,7 +94,6 @@ void end_by(Way way)
     }
 }
 
-/// The machine's clock, which also calls the program's code.
 class OwnClock : public MonotonicClock
 {
 public:

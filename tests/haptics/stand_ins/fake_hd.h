@@ -38,7 +38,6 @@ void fake_hd_step(int frames);
 
 void fake_hd_resume();
 
-/// Number of frames since the scheduler's start.
 std::uint64_t fake_hd_frames();
 
 /// N; the force of the motors: the last one of a frame, even if no more frames follow, while the force output is on.
