@@ -1,5 +1,6 @@
 # A fresh Debian in a folder, in which the project is tried. It needs root, mmdebstrap, and /proc as in a usual system.
-# Usage, in a script: chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
+# Usage, in a script:
+# chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
 # shellcheck shell=bash disable=SC2154 # chroot is the caller's
 
 ((EUID == 0)) || {

@@ -36,8 +36,8 @@ struct EncounterSummary
 /// Compares the times of proximity that a predictive space predicts for the probe with the times of its contacts. The space
 /// predicts for bounding boxes, hence early; with dPredictiveProximityShape it predicts for shapes. It must never be late.
 ///
-/// The probe's own space lists its objects only, not those of nested spaces. Not for a separate servo thread, because add()
-/// allocates.
+/// The space lists only objects in the probe's own space, not those in nested spaces. Not for a separate servo thread, because
+/// add() allocates.
 class EncounterLog
 {
 public:

@@ -66,8 +66,8 @@ public:
     /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
     void ask_only(std::size_t queries) { queries_ = queries; }
 
-    /// In each tick, call dCollide() for all reported pairs right after dSpaceCollide(), and measure that: the narrow phase of a
-    /// program. The scene, which calls it for the pairs in its own order, does so in any case.
+    /// In each tick, call dCollide() for all reported pairs right after dSpaceCollide(), and measure that: the narrow phase of
+    /// a program. The scene, which calls it for the pairs in its own order, does so in any case.
     void measure_contacts() { measuring_contacts_ = true; }
 
     /// Check the space by brute force after each tick, if it is a predictive one.

@@ -19,7 +19,8 @@ struct Wall
     Vector3 half;
 };
 
-/// The walls around a room with this half, along each axis the lower one first; without the upper one if there is no lid. Metres.
+/// The walls around a room with this half, along each axis the lower one first; without the upper one if there is no lid.
+/// Metres.
 std::vector<Wall> walls_of(const Vector3 &half_room, double thickness, bool lid);
 
 /// ODE keeps pointers into it: it must outlive the geoms made of it.

@@ -97,8 +97,8 @@ function(ode_predictive_space_harden)
     endforeach()
 endfunction()
 
-# ode_predictive_space_look_for(<package> <Debian's name> <parts>): looks for a package that the libraries do not need, and says which
-# parts are left out without it.
+# ode_predictive_space_look_for(<package> <Debian's name> <parts>): looks for a package that the libraries do not need, and says
+# which parts are left out without it.
 macro(ode_predictive_space_look_for package debian_name left_out)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)

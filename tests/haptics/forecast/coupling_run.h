@@ -20,7 +20,7 @@
 namespace ode_predictive_space::haptics
 {
 constexpr int hands = 8;         // of an ensemble
-constexpr double one_thread = 0; // Hz; stands for the scene's rate
+constexpr double one_thread = 0; // Hz; in place of the scene's rate
 
 struct Outcome
 {

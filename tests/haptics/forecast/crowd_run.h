@@ -21,7 +21,7 @@ enum class Crowd
 {
     pit,  ///< balls side by side on a floor, between four walls
     pile, ///< balls in two layers, dropped into a pit
-    wedge ///< boxes around the sphere, whose faces lean outwards; no other contact holds them
+    wedge ///< free boxes around the sphere, whose faces lean outwards
 };
 
 struct CrowdCase

@@ -18,7 +18,7 @@ namespace ode_predictive_space::haptics
 {
 constexpr double spring = 800;        // N/m
 constexpr double depth = 0.004;       // m; depth of the probe in the plane
-constexpr double grace = 0.010;       // s; from a fault to zero force
+constexpr double grace = 0.010;       // s; longest time from a fault to zero force
 constexpr double pressed_after = 1.8; // s; the force is complete from here on
 
 inline RenderSettings usual_rendering()

@@ -35,7 +35,7 @@ TEST_P(LoopLifeTest, ASecondLoopOnAProbeIsRefusedWhileTheFirstRuns)
     EXPECT_NO_THROW(HapticLoop(*probe_, settings())) << "when it has ended";
 }
 
-/// On the machine's clock, another thread destroys the loop or its probe. The loop itself does not end.
+/// On the machine's clock, another thread destroys the loop or its probe. The loop's duration is unlimited.
 class LoopLifeThreadsTest : public testing::TestWithParam<bool>
 {
 protected:
