@@ -1,4 +1,4 @@
-// The same 1,000 balls in each of ODE's spaces and in the predictive one: what dSpaceCollide() takes, and which pairs it reports.
+// Measures dSpaceCollide() with 1,000 balls in each of ODE's spaces and in the predictive one, and compares the reported pairs.
 
 #include <algorithm>
 #include <chrono>

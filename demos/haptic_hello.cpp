@@ -1,5 +1,5 @@
-// A hand presses on a box for a second. It feels the force, and the box gets the opposite. What is haptic is marked.
-// With any argument, time is simulated: as fast as the machine can, and the same in each run.
+// A hand presses on a box for a second: it feels the force, and the box gets the opposite one. Haptic lines are marked.
+// With any argument, time is simulated: it passes as fast as possible, and each run is the same.
 
 #include <algorithm>
 #include <cstdio>
@@ -39,7 +39,7 @@ void add_box(dSpaceID space)
     dGeomSetBody(dCreateBox(space, 0.2, 0.2, 0.1), body);
 }
 
-/// Where the person wants the handle to be: 10 cm down in 0.4 s. The device's frame, of which y points up.
+/// The person's target for the handle: 10 cm down in 0.4 s, in the device's frame, whose y points up.
 haptics::Vector3 target(double seconds)
 {
     return {0, 0.05 - 0.1 * std::min(1.0, seconds / 0.4), 0};

@@ -1,7 +1,7 @@
 # The commands of `./run dev`, which includes this file and has the functions that it calls.
 # shellcheck shell=bash
 
-# draw <script> [arguments]: by the system's Python; another one may come before it and have no matplotlib.
+# draw <script> [arguments]: uses the system's Python, because another one in PATH may have no matplotlib.
 draw() {
     need plots
     PATH=/usr/bin:$PATH exec python3 "$@"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Has lintian judge the packages, and tries them as a stranger would, in a new Debian: installs them, builds programs with them, runs
-# the launcher; removes the packages and looks for what they left.
+# Checks the packages with lintian, and tries them in a fresh Debian: installs them, builds programs with them, runs the
+# launcher, removes them, and looks for remaining files.
 # Usage: check_in_chroot.sh <folder of the packages> <folder of the sources> <scratch folder>
 
 set -euo pipefail
@@ -12,13 +12,13 @@ chroot=$3/root
 # shellcheck source=chroot.sh
 . "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
 
-# Every file that packages bring or make, without what apt itself keeps.
+# Lists the files that packages bring or make, without those that apt keeps.
 list_files() {
     (cd "$chroot" && find . -xdev \( -path ./tmp -o -path ./proc -o -path ./sys -o -path ./dev -o -path ./var/cache -o \
         -path ./var/log -o -path ./var/lib/apt \) -prune -o -print | sort)
 }
 
-# The packages on which a package of a program would depend, as dpkg-shlibdeps says.
+# Lists the packages on which a package of a program would depend, by dpkg-shlibdeps.
 list_dependencies() {
     say 'What a package with the programs would depend on'
     mkdir -p "$chroot/tmp/program/debian"
@@ -39,7 +39,7 @@ check_licences() {
     done
 }
 
-# The tests that the source package has for installed packages (autopkgtest).
+# Runs the tests that the source package has for installed packages (autopkgtest).
 test_installed() {
     say 'Programs, built with the packages by CMake and by pkg-config, and the launcher'
     mount --bind /proc "$chroot/proc" # the tool finds its libraries from its own path

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Do the oldest tools suffice that the project names? They are GCC 11, Eigen 3.3, and CMake 3.22, for which an older one stands in that
-# Debian has: what it understands, 3.22 does. That version is lowered in the copied sources. The system below is Debian 12.
+# Checks that the oldest supported tools suffice: GCC 11, Eigen 3.3 and CMake 3.22. An older CMake of Debian stands in for 3.22,
+# which understands all that the older one does; the copied sources require the older version. The system is Debian 12.
 # Usage: check_oldest.sh <folder of the sources> <scratch folder>
 
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Does the project build in a new Debian of some release, with its GCC, its newest Clang, its ODE and its Eigen, do programs
-# and the tests of the contract run there, and are its packages to the liking of that release's lintian?
+# Checks in a fresh Debian of some release that the project builds with its GCC, its newest Clang, its ODE and its Eigen, that
+# programs and the tests of the contract run, and that the release's lintian accepts the packages.
 # Usage: check_system.sh <suite> <folder of the sources> <scratch folder>
 
 set -euo pipefail

@@ -1,6 +1,6 @@
-# A new Debian in a folder, to try the project in as a stranger would. Root is needed, and mmdebstrap; /proc has to be as in a usual
-# system.
-# Usage, in a script: chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
+# A fresh Debian in a folder, in which the project is tried. It needs root, mmdebstrap, and /proc as in a usual system.
+# Usage, in a script:
+# chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
 # shellcheck shell=bash disable=SC2154 # chroot is the caller's
 
 ((EUID == 0)) || {
@@ -10,7 +10,7 @@
 
 say() { printf '==> %s\n' "$*"; }
 
-# The system's own sources of Debian's packages, for another release than the running one its main archive alone.
+# Prints the system's sources of Debian's packages; for another release than the running one, only the main archive.
 entries() {
     local suite=$1 own
     own=$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")
@@ -27,8 +27,8 @@ inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.U
 
 install_in_chroot() { inside apt-get -q -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "$@" >/dev/null; }
 
-# Options for mmdebstrap. Where this system's apt is told to take an archive that is out of date, as a snapshot is after some days,
-# that of the chroot is told so, too. Signatures are checked in any case.
+# Options for mmdebstrap. If this system's apt accepts an archive that is out of date, as a snapshot is after some days, that of
+# the chroot accepts it, too. Signatures are always checked.
 apt_options() {
     local check=true
     eval "$(apt-config shell check Acquire::Check-Valid-Until)" # nothing unless it is set
@@ -48,11 +48,11 @@ make_chroot() {
 # shellcheck source=source_files.sh
 . "$(dirname "${BASH_SOURCE[0]}")/source_files.sh"
 
-# The project's files in the folder $1, into /tmp/sources.
+# Copies the project's files from the folder $1 to /tmp/sources.
 copy_sources() { copy_source_files "$1" "$chroot/tmp/sources"; }
 
-# build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: the libraries and the launcher, installed into a prefix
-# beside them. Warnings are errors, those of CMake, too, and many files are compiled as one for the sake of time.
+# build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: builds the libraries and the launcher, and
+# installs them into a prefix beside the build. Warnings are errors, also CMake's. Many files are compiled as one, to save time.
 build_with() {
     local said=$chroot/tmp/configuring
     say "The sources, built by $3 with libode-dev alone"
@@ -67,14 +67,14 @@ build_with() {
     inside cmake --install "/tmp/$1" --prefix "/tmp/$1/prefix" >/dev/null
 }
 
-# build_consumers <folder in /tmp> [options of cmake]: someone else's programs, by the CMake package.
+# build_consumers <folder in /tmp> [options of cmake]: builds programs of another project with the CMake package.
 build_consumers() {
     inside cmake -S /tmp/sources/tests/install/consumer -B "/tmp/$1" -G Ninja "${@:2}" >/dev/null
     inside ninja -C "/tmp/$1" | tail -n 1
     inside sh -c 'cd "$0" && ctest --output-on-failure' "/tmp/$1"
 }
 
-# test_contract [options of cmake]: the tests of the promises to programs.
+# test_contract [options of cmake]: runs the tests of the promises to programs.
 test_contract() {
     say 'The tests of the contract'
     install_in_chroot libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev

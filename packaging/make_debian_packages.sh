@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds Debian's source and binary packages from the project's files, with packaging/debian in the place where Debian
-# expects it. The version is that of CMakeLists.txt. DEBFULLNAME and DEBEMAIL name who answers for the packages.
+# Builds Debian's source and binary packages from the project's files, with packaging/debian in the place where Debian expects
+# it. The version is that of CMakeLists.txt. DEBFULLNAME and DEBEMAIL name the maintainer of the packages.
 # Usage: make_debian_packages.sh <folder of the sources> <folder for the packages, which is emptied>
 
 set -euo pipefail
@@ -10,7 +10,7 @@ set -euo pipefail
 sources=$1 output=$2
 version=$(sed -nE 's/^ +VERSION ([0-9.]+)$/\1/p' "$sources/CMakeLists.txt")
 name=ode-predictive-space
-# Without an address, the packages are for trying out: mail to this one goes nowhere by definition.
+# Without an address the packages are for tests only: by definition, mail to this one goes nowhere.
 maintainer="${DEBFULLNAME:-ode_predictive_space developers} <${DEBEMAIL:-nobody@ode-predictive-space.invalid}>"
 
 rm -rf "$output"

@@ -1,7 +1,8 @@
-# For scripts that include this: which files are the project's.
+# Functions that list and copy the project's files, for scripts that include this one.
 # shellcheck shell=bash
 
-# source_files <folder>: those that git tracks, or, in an unpacked archive, all but what is built. Each ends with a zero byte.
+# source_files <folder>: prints the files that git tracks or, in an unpacked archive, all but the built ones, each followed by a
+# zero byte.
 source_files() {
     if [[ -e $1/.git ]]; then
         git -C "$1" ls-files -z
@@ -16,7 +17,7 @@ copy_source_files() {
     source_files "$1" | tar -C "$1" --null --files-from=- --create | tar -C "$2" --extract
 }
 
-# time_of_sources <folder>: of the last commit, or of the archive; as mail has it.
+# time_of_sources <folder>: prints the time of the last commit or of the archive in the format of mail.
 time_of_sources() {
     if [[ -e $1/.git ]]; then
         git -C "$1" log -1 --format=%cD

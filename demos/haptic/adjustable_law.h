@@ -12,19 +12,19 @@
 
 namespace ode_predictive_space::demo
 {
-/// The name of the law that the options ask for; in a replay, unless they name one, that of the recording.
+/// The law of the options; in a replay, unless they name one, that of the recording.
 std::string law_name(const Options &options, DemoDevice &device);
 
-/// Another law, and a stiffness that any thread may set. A newton in the scene is one at the hand, but the probe moves farther than
-/// the hand, by the scale of the workspace: so a stiffness at the hand is the scale times that in the scene.
+/// A law with a stiffness that any thread may set. Forces in the scene and at the hand are equal, but the probe moves `scale`
+/// times as far as the hand, so the stiffness at the hand is the scale times that in the scene.
 class AdjustableLaw : public haptics::ForceLaw
 {
 public:
-    /// The law of that name. @param scale metres of the scene per metre of the hand. @param rate Hz; of the servo.
+    /// @param name of the law. @param scale metres of the scene per metre of the hand. @param rate Hz; of the servo.
     AdjustableLaw(const std::string &name, const Options &options, double scale, const haptics::Capabilities &device,
                   double rate);
 
-    /// Takes effect from the next tick on. From any thread. @param stiffness N/m at the hand, >= 0 and finite.
+    /// Takes effect from the next tick on. Any thread may call this. @param stiffness N/m at the hand, >= 0 and finite.
     void wish_stiffness(double stiffness) { wish_.store(stiffness / scale_, std::memory_order_relaxed); }
 
     double scale() const { return scale_; }

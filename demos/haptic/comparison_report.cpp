@@ -48,7 +48,7 @@ const WorldRun *predictive_run(const WorldRuns &runs)
     return found == runs.end() ? nullptr : found->get();
 }
 
-/// The fastest of the other spaces, by the median; null when there is none.
+/// The fastest of the other spaces, by the median; null without another.
 const WorldRun *best_other_run(const WorldRuns &runs)
 {
     const WorldRun *best = nullptr;
@@ -159,7 +159,7 @@ std::vector<const WorldRun *> exact_runs(const WorldRuns &runs)
     return exact;
 }
 
-/// Of the spaces that report every pair whose boxes overlap.
+/// Compares the spaces that report every pair whose boxes overlap.
 void print_agreement(std::ostream &out, const WorldRuns &runs)
 {
     const std::vector<const WorldRun *> exact = exact_runs(runs);
@@ -180,7 +180,7 @@ void print_agreement(std::ostream &out, const WorldRuns &runs)
     out << grouped(first.pairs()) << " pairs in all (hash " << hexadecimal(first.pair_hash()) << ").\n";
 }
 
-/// Of the spaces that leave out pairs that do not touch.
+/// Compares the spaces that leave out pairs that do not touch.
 void print_contacts_of_inexact(std::ostream &out, const WorldRuns &runs)
 {
     const std::vector<const WorldRun *> exact = exact_runs(runs);

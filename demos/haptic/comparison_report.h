@@ -14,8 +14,8 @@ namespace ode_predictive_space::worlds
 /// The gain in the sense of Vogiannou et al.: (T_other - T_ours) / T_other, in percent.
 double gain_percent(double ours, double other);
 
-/// Where a variant of the predictive space is faster than the first one in the table, by how much and how to choose it; otherwise
-/// empty. The times are medians of whole ticks.
+/// Says by how much a variant of the predictive space is faster than the first one in the table, and how to choose it; empty if
+/// it is not faster. The times are medians of whole ticks.
 std::string faster_variant_text(const std::string &variant, double variant_time, const std::string &first,
                                 double first_time);
 
@@ -25,7 +25,7 @@ void print_introduction(std::ostream &out, const WorldSpec &spec, int ticks, std
 /// The table and its interpretation.
 void print_report(std::ostream &out, const WorldRuns &runs);
 
-/// The same as JSON.
+/// The report as JSON.
 nlohmann::json json_report(const WorldRuns &runs, const WorldSpec &spec);
 } // namespace ode_predictive_space::worlds
 

@@ -13,13 +13,13 @@ namespace ode_predictive_space::demo
 /// The number of the button that moves the workspace instead of the probe. No device has that many buttons.
 constexpr unsigned clutch_button = 31;
 
-/// Passes everything on, and reports the clutch's button as held while hold_clutch() says so.
+/// Passes all calls on, and reports the clutch's button as held while hold_clutch() says so.
 class DemoDevice : public haptics::Device
 {
 public:
     explicit DemoDevice(std::unique_ptr<haptics::Device> device) : device_(std::move(device)) {}
 
-    /// From any thread.
+    /// Any thread may call this.
     void hold_clutch(bool held) { clutch_.store(held, std::memory_order_relaxed); }
     bool clutch_held() const { return clutch_.load(std::memory_order_relaxed); }
 

@@ -61,7 +61,7 @@ std::vector<EncounterLog::Listed> EncounterLog::list(double time, const std::vec
         const Listed *known = find(listed_, object);
         Listed listed = known != nullptr ? *known : Listed{object, time, time, false};
         listed.near = encounter.seconds <= 0;
-        // What is near was predicted for this moment, unless it was for an earlier one.
+        // A near object keeps the forecast that it had before it came near.
         if (!listed.near || listed.since == time)
             listed.forecast = time + encounter.seconds;
         now.push_back(listed);

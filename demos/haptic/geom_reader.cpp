@@ -42,7 +42,7 @@ void read_bounds(dGeomID geom, window::DrawnGeom &drawn)
 
 constexpr int cells_of_hills = 96; ///< drawn along each side
 
-/// A lattice on the ground: ODE does not tell the heights. Rays find them, though not each one on a line between samples.
+/// A lattice on the ground. ODE has no function for the heights, so rays find them; a ray on a line between samples may miss.
 std::vector<Vector3> lattice_on(dGeomID heightfield)
 {
     constexpr double within = 0.997;
@@ -67,7 +67,7 @@ std::vector<Vector3> lattice_on(dGeomID heightfield)
     return lattice;
 }
 
-/// Two for each cell of the lattice.
+/// Two triangles for each cell of the lattice.
 Triangles triangles_between(const std::vector<Vector3> &lattice)
 {
     constexpr int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
@@ -181,7 +181,7 @@ std::shared_ptr<const Triangles> GeomReader::triangles_of(dGeomID mesh)
     std::shared_ptr<const Triangles> &kept = meshes_[dGeomTriMeshGetData(mesh)];
     if (kept == nullptr)
     {
-        // ODE gives a mesh's triangles where they are in the world.
+        // ODE gives a mesh's triangles in the scene's frame.
         const Eigen::Map<const Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>> rotation(dGeomGetRotation(mesh));
         const Eigen::Map<const Eigen::Matrix<dReal, 3, 1>> position(dGeomGetPosition(mesh));
         Triangles triangles;

@@ -43,7 +43,7 @@ bool HapticRun::decoupled() const
     return options_.decoupled || options_.rate > 0 || scene_.step_seconds() > 1 / usual_rate;
 }
 
-/// With some room around it; where the scene is too small for that, with none, and beyond the room if there is no wall.
+/// Finds a free start with a margin in the room; otherwise without a margin, up to two radii beyond the room.
 Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const
 {
     constexpr double roomy = 1.5 * probe_radius;
@@ -54,7 +54,8 @@ Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &ro
         .value_or(wish);
 }
 
-/// The device's position now is a place where the probe is in nothing; all of the room is within reach, and some more.
+/// Places the workspace so that the device's present position is a free start for the probe, and the whole room is within
+/// reach.
 haptics::WorkspacePlacement HapticRun::place_hand()
 {
     const Vector3 reach = (room().sizes() / 2 - Vector3::Constant(probe_radius)).cwiseMax(probe_radius);

@@ -17,7 +17,7 @@ namespace ode_predictive_space::demo
 {
 using haptics::Vector3;
 
-/// What a run was like from beginning to end.
+/// Series over a whole run.
 struct RunSeries
 {
     double step_seconds = 0;            ///< simulated, of a value in collide and advance
@@ -47,7 +47,7 @@ struct RunResult
     std::uint64_t safety_notices = 0;                 ///< of the guard and the watchdog
 };
 
-/// Inputs of the person, from any thread.
+/// Inputs of the person; any thread may set them.
 struct RunControl
 {
     std::atomic<bool> paused{false};  ///< the scene is paused, the probe is not
@@ -59,7 +59,7 @@ struct RunControl
 class HapticRun
 {
 public:
-    /// Radius of the probe, in metres: that of the objects.
+    /// m; the radius of the objects.
     static constexpr double probe_radius = worlds::object_radius;
 
     /// @throws exceptions derived from std::exception when a part cannot be created.

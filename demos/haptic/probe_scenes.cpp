@@ -28,7 +28,7 @@ void ProbeScene::respond(bool stands_still)
 {
     stands_still_ = stands_still;
     if (!stands_still)
-        world_->respond(pairs_.sorted()); // a loop of two threads foresees motion by the contacts that there are
+        world_->respond(pairs_.sorted()); // a loop of two threads predicts motion with these contacts
 }
 
 void ProbeScene::advance(const std::vector<dGeomID> &pushed)

@@ -16,7 +16,7 @@ void print_beginning(std::ostream &out, const Options &options, bool window);
 /// Its result.
 void print_summary(std::ostream &out, const Options &options, const RunResult &result);
 
-/// The same as JSON.
+/// The summary as JSON.
 nlohmann::json json_summary(const Options &options, const RunResult &result);
 } // namespace ode_predictive_space::demo
 

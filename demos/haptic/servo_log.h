@@ -1,4 +1,4 @@
-// The servo, tick by tick: for the recording, the comparison with an earlier one, and the chart. The scene, step by step.
+// Logs the servo's ticks for the recording, its comparison with an earlier one and the chart, and the durations of scene steps.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
@@ -32,7 +32,7 @@ struct ServoChart
     std::uint64_t made = 0; ///< column i is at i modulo columns
 };
 
-/// Over a whole run.
+/// Totals of a whole run.
 struct ServoTotals
 {
     std::uint64_t ticks = 0;
@@ -55,23 +55,22 @@ public:
     ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, const std::string &law,
              bool keep_forces);
 
-    /// A tick was rendered.
     void add(const haptics::RenderedTick &tick);
 
-    /// The duration of a step of the scene. By the thread that steps it.
+    /// Adds the duration of a step of the scene. The thread that steps it calls this.
     void step_took(double seconds);
 
-    /// By one other thread: the latest columns.
+    /// The latest columns. One other thread may call this.
     const ServoChart &chart();
 
-    /// After the end.
+    /// Valid after the end.
     const ServoTotals &totals() const { return totals_; }
     const std::vector<haptics::Vector3> &forces() const { return forces_; }          ///< N
     const recording::BoundedSeries &force_series() const { return force_series_; }   ///< N
     const recording::BoundedSeries &period_series() const { return period_series_; } ///< s; from the second tick on
     std::size_t lost_in_recording() const { return recorder_ ? recorder_->lost() : 0; }
 
-    /// After the end. @throws haptics::DeviceError when the recording could not be written.
+    /// Call after the end. @throws haptics::DeviceError when the recording could not be written.
     void close();
 
 private:

@@ -8,7 +8,7 @@
 
 namespace ode_predictive_space::demo
 {
-/// Over a whole run. For the thread that steps the scene.
+/// Totals of a whole run. The thread that steps the scene keeps them.
 class StepLog
 {
 public:

@@ -22,7 +22,7 @@ public:
     /// Continue the view; publish it when it is complete and the previous one has lasted for a frame.
     void after_step();
 
-    /// The picture has been taken. From any thread.
+    /// Any thread may call this when the picture has been taken.
     void picture_taken() { holding_.store(false, std::memory_order_release); }
 
 private:

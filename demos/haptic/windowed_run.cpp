@@ -34,7 +34,7 @@ public:
     /// The loop's thread: runs when the window is open, and restarts at the person's request.
     void work();
 
-    /// Let work() return. From any thread.
+    /// Lets work() return. Any thread may call this.
     void end();
 
     /// After work() has returned. @throws the exception of work(), if any.

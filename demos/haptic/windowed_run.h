@@ -1,4 +1,4 @@
-// A run of the probe with a window: the loop in a thread of its own, the window in the caller's.
+// A run of the probe with a window. The loop runs in a separate thread, the window in the caller's.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_WINDOWED_RUN_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_WINDOWED_RUN_H

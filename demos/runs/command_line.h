@@ -1,4 +1,4 @@
-// How programs end whose command line asks for no run.
+// The end of a program whose command line asks for no run.
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_COMMAND_LINE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_COMMAND_LINE_H

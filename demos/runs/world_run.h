@@ -66,8 +66,8 @@ public:
     /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
     void ask_only(std::size_t queries) { queries_ = queries; }
 
-    /// In each tick, call dCollide() for all reported pairs right after dSpaceCollide(), and measure that: the narrow phase of a
-    /// program. The scene, which calls it for the pairs in its own order, does so in any case.
+    /// In each tick, call dCollide() for all reported pairs right after dSpaceCollide(), and measure that: the narrow phase of
+    /// a program. The scene, which calls it for the pairs in its own order, does so in any case.
     void measure_contacts() { measuring_contacts_ = true; }
 
     /// Check the space by brute force after each tick, if it is a predictive one.
@@ -146,9 +146,9 @@ using WorldRuns = std::vector<std::unique_ptr<WorldRun>>;
 
 WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory);
 
-/// Make `ticks` ticks in each run, in alternating turns of some hundred, each round beginning with another run. The load of
-/// the machine, its clock frequency and its temperature then affect all of them alike, and within a turn each run finds its
-/// data in the cache as it would alone.
+/// Makes `ticks` ticks in each run, in alternating blocks of some hundred; each round begins with another run. The load of the
+/// machine, its clock frequency and its temperature then affect all runs alike, and within a block each run finds its data in
+/// the cache as it would alone.
 ///
 /// @param progress called after each round with the number of ticks done.
 /// @param seconds_each a run that has used up this time makes no more ticks.

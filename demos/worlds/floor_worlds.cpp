@@ -27,7 +27,7 @@ double half_side_of_moon(int objects)
     return 0.5 * std::sqrt(objects) + 1;
 }
 
-/// Spheres and boxes in turn.
+/// Spheres and boxes, alternately.
 class RollingWorld : public ProgramWorld
 {
 protected:

@@ -1,5 +1,5 @@
-// Gas and the worlds like it, moved in two ways: gas, game, classes, still, churn, explosion, teleport and their namesakes _stepped;
-// and an engine that sets every pose.
+// Gas and the worlds like it, moved in two ways: gas, game, classes, still, churn, explosion, teleport and their namesakes
+// _stepped; and an engine that sets every pose.
 //
 // In the first ones nothing disturbs the motion: bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the
 // velocities that go with it; ODE's world is never stepped, and objects fly through one another. The others float, are moved by
@@ -23,7 +23,7 @@ constexpr double fastest_turn = 5;                  // rad/s
 constexpr int objects_per_moving_pose = 20;
 constexpr double half_move = -1; // unless the specification has another share
 
-/// How gas and the worlds like it differ.
+/// Differences between gas and the worlds like it.
 struct GasSettings
 {
     double volume_fraction;
@@ -181,8 +181,8 @@ public:
     }
 };
 
-/// They bounce off one another and turn back at the sides of a room that has no geoms. They begin in random places, with speeds up
-/// to a limit. Those that do not move have no body.
+/// They bounce off one another and turn back at the sides of a room that has no geoms. They begin in random places, with speeds
+/// up to a limit. Those that do not move have no body.
 class FloatingWorld : public SteppedWorld
 {
 public:
@@ -248,8 +248,8 @@ public:
     }
 };
 
-/// Moves as in a physics engine that uses ODE for contacts alone, as DART does. The geoms have no bodies in ODE. The engine sets
-/// every pose at every tick, but only one object in twenty moves.
+/// Moves as in a physics engine that uses ODE for contacts alone, as DART does. The geoms have no bodies in ODE. The engine
+/// sets every pose at every tick, but only one object in twenty moves.
 class PoseSettingWorld : public FloatingWorld
 {
 public:

@@ -1,4 +1,4 @@
-// Far outside of what programs usually have: many planes, very large, very near, very far. No geom has a body.
+// Worlds far beyond those of usual programs: many planes, very large, very near, very far. No geom has a body.
 
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"

@@ -89,10 +89,10 @@ public:
     /// The geom of this number; null when it has been destroyed.
     dGeomID geom(std::uint32_t index) const { return geoms_[index]; }
 
-    /// All of them, by number; null where one has been destroyed.
+    /// All geoms by number; null for destroyed ones.
     const std::vector<dGeomID> &geoms() const { return geoms_; }
 
-    /// Those of add_moving() and add_body(), in this order.
+    /// The bodies of add_moving() and add_body(), in this order.
     const std::vector<dBodyID> &bodies() const { return bodies_; }
 
 private:

@@ -19,7 +19,8 @@ struct Wall
     Vector3 half;
 };
 
-/// The walls around a room with this half, along each axis the lower one first; without the upper one if there is no lid. Metres.
+/// The walls around a room with this half, along each axis the lower one first; without the upper one if there is no lid.
+/// Metres.
 std::vector<Wall> walls_of(const Vector3 &half_room, double thickness, bool lid);
 
 /// ODE keeps pointers into it: it must outlive the geoms made of it.
@@ -50,12 +51,12 @@ public:
     /// A faceted ball of 80 triangles: an icosahedron whose triangles are split once. The first in a mesh.
     void add_ball(double radius);
 
-    /// After the last triangle.
+    /// Call after the last triangle.
     ///
     /// @param for_convexes find the angles of faces, which ODE needs to find contacts with convexes.
     void build(bool for_convexes = false);
 
-    /// After build().
+    /// Call after build().
     dGeomID make_geom(dSpaceID space) const { return dCreateTriMesh(space, data_, nullptr, nullptr, nullptr); }
 
 private:

@@ -137,7 +137,7 @@ enum class Group
 /// Makes a copy in this space.
 using MakeWorld = std::function<std::unique_ptr<World>(dSpaceID)>;
 
-/// A world, once: what there is to know before it is made.
+/// Properties of a world that are known before it is made.
 struct WorldEntry
 {
     Group group;

@@ -1,8 +1,8 @@
-# drawstuff, ODE's own little renderer, with our callback for the pointer and our runs without a window. It is in ODE's source
-# package and in no Debian package, so it is built here, from a patched copy of it.
+# drawstuff is ODE's small renderer; patches add a callback for the pointer and runs without a window. No Debian package has it,
+# so it is built here, from a patched copy of ODE's source.
 #
-# Defines the target ode_predictive_space_drawstuff where OpenGL, GLU and X11 are installed, and sets
-# DRAWSTUFF_MISSING to what is missing otherwise, and DRAWSTUFF_TEXTURES to where its textures are.
+# Defines the target ode_predictive_space_drawstuff if OpenGL, GLU and X11 are installed; otherwise DRAWSTUFF_MISSING lists what
+# is missing. DRAWSTUFF_TEXTURES is the folder of its textures.
 
 find_package(OpenGL QUIET)
 find_package(X11 QUIET)
@@ -39,7 +39,7 @@ add_custom_command(
     COMMAND "${CMAKE_COMMAND}" -E copy_directory "${ODE_SOURCE_DIR}/include/drawstuff"
             "${drawstuff_copy}/include/drawstuff"
     COMMAND "${CMAKE_COMMAND}" -E copy "${ODE_SOURCE_DIR}/configure.ac" "${drawstuff_copy}"
-    # What drawstuff asks of the system, which ODE's configure would write.
+    # ODE's configure would write this file; the definitions below replace it.
     COMMAND "${CMAKE_COMMAND}" -E touch "${drawstuff_copy}/config.h"
     COMMAND "${PROJECT_SOURCE_DIR}/patches/apply" "${drawstuff_copy}" ${drawstuff_patches}
     DEPENDS ${drawstuff_patches} "${PROJECT_SOURCE_DIR}/patches/apply"
@@ -55,6 +55,6 @@ target_include_directories(
     ode_predictive_space_drawstuff SYSTEM
     PUBLIC "${drawstuff_copy}/include"
     PRIVATE "${drawstuff_copy}" "${ODE_SOURCE_DIR}/ode/src")
-# It is not ours to warn about.
+# Warnings about drawstuff's code do not concern this project.
 target_compile_options(ode_predictive_space_drawstuff PRIVATE -w)
 target_link_libraries(ode_predictive_space_drawstuff PUBLIC ODE::ODE OpenGL::GL OpenGL::GLU X11::X11)

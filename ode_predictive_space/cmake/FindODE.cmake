@@ -1,9 +1,9 @@
-# Finds the Open Dynamics Engine that is installed, with or without a CMake package of its own.
+# Finds the installed Open Dynamics Engine, with or without a CMake package.
 #
-# Defines the imported target ODE::ODE and ODE_VERSION, ODE_INCLUDE_DIR, ODE_LIBRARY, ODE_IS_SHARED, and ODE_PKG_CONFIG_NAME. To have
-# a static ODE, set ODE_LIBRARY to its archive. Some distributions have one ODE for each precision: ODE_PKG_CONFIG_NAMES has the names
-# by which pkg-config may know it, the first that is there counts.
-# This file is installed beside the CMake package of ode_predictive_space, which uses it too.
+# Defines the imported target ODE::ODE, and ODE_VERSION, ODE_INCLUDE_DIR, ODE_LIBRARY, ODE_IS_SHARED and ODE_PKG_CONFIG_NAME.
+# For a static ODE, set ODE_LIBRARY to its archive. Some distributions have an ODE for each precision: the first module of
+# ODE_PKG_CONFIG_NAMES that pkg-config finds counts. The CMake package of ode_predictive_space also uses this file, which is
+# installed beside it.
 
 if(NOT ODE_PKG_CONFIG_NAMES)
     set(ODE_PKG_CONFIG_NAMES ode ode-double)
@@ -23,7 +23,7 @@ find_path(
     HINTS ${PC_ODE_INCLUDEDIR} ${PC_ODE_INCLUDE_DIRS})
 find_library(
     ODE_LIBRARY
-    # The last two are those of a static ODE for Windows.
+    # The last two names are those of a static ODE for Windows.
     NAMES ${PC_ODE_LIBRARIES} ode ode_double ode-double ode_doubles ode_singles NAMES_PER_DIR
     HINTS ${PC_ODE_LIBDIR} ${PC_ODE_LIBRARY_DIRS})
 mark_as_advanced(ODE_INCLUDE_DIR ODE_LIBRARY)
@@ -59,7 +59,7 @@ if(ODE_FOUND AND NOT TARGET ODE::ODE)
         set_target_properties(ODE::ODE PROPERTIES INTERFACE_COMPILE_DEFINITIONS "${ode_precision}")
     endif()
     if(NOT ODE_IS_SHARED)
-        # An archive does not name what it needs. Debian's needs libccd, which an ODE from its own source contains.
+        # An archive does not name the libraries that it needs. Debian's needs libccd; one built from ODE's source contains it.
         find_package(Threads REQUIRED)
         find_library(ODE_CCD_LIBRARY ccd)
         mark_as_advanced(ODE_CCD_LIBRARY)

@@ -1,5 +1,5 @@
-# What `cmake --install` puts into the prefix: headers, libraries, CMake package, pkg-config files. All of it can be moved.
-# The components divide it as packaging/debian divides it into packages.
+# `cmake --install` puts headers, libraries, the CMake package and pkg-config files into the prefix, which can be moved. The
+# components are those of the packages in packaging/debian.
 
 include(CMakePackageConfigHelpers)
 
@@ -64,9 +64,9 @@ install(
     DESTINATION "${package_dir}"
     COMPONENT development)
 
-# From the folder of the pkg-config files to the prefix.
+# pkg-config files find the prefix by this relative path, also after a move.
 file(RELATIVE_PATH prefix_from_pkg_config "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
-# For `pkg-config --static`: what the archives have to be linked with.
+# Libraries for `pkg-config --static`, which programs link with the archives.
 set(private_libraries "-lstdc++ -lm")
 if(UNIX)
     string(APPEND private_libraries " -ldl")

@@ -1,12 +1,12 @@
-# The installed ODE, and the source of the very same version, where it is at hand.
+# The installed ODE, and the source of the same version if there is one.
 #
-# Defines ODE::ODE, ODE_SOURCE_FOUND and ODE_PATCHES_FIT, which is for ODE's releases 0.16 to 0.16.6. The libraries need no
-# source. The demo's window and ODE's demos are built from it, and tests compare the layout of ODE's classes with it.
-# ODE_SOURCE_DIR (a CMake variable or an environment variable) says where it is, and is empty to go without; `./run` puts the
-# source where it is looked for by default.
+# Defines ODE::ODE, ODE_SOURCE_FOUND, and ODE_PATCHES_FIT, which is true for ODE's releases 0.16 to 0.16.6. The libraries need
+# no source. The demo's window and ODE's demos are built from it, and tests compare the layout of ODE's classes with it.
+# ODE_SOURCE_DIR (a CMake variable or an environment variable) is its folder; if it is empty, the project is built without the
+# source. `./run` puts the source into the default folder.
 
-# Also for a project that this one is a part of, unless it has found ODE by itself. (find_package() can do so from CMake 3.24 on;
-# before, it takes GLOBAL for a component.)
+# The target is global, so that a project around this one can use it, unless that has found ODE already. (CMake before 3.24
+# takes GLOBAL in find_package() for a component.)
 if(TARGET ODE::ODE)
     find_package(ODE 0.15 REQUIRED)
 else()

@@ -1,4 +1,4 @@
-# What holds for every target of the project: language, warnings, visibility, sanitizers, ccache.
+# Defaults for every target of the project: language, warnings, visibility, sanitizers, ccache.
 
 set(ODE_PREDICTIVE_SPACE_SANITIZERS
     ""
@@ -23,8 +23,8 @@ set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
-# The length of a path to the folder of the build would stay in the libraries, also in those that are installed. Builds with sanitizers
-# are not installed, and their tests run copies of programs in other folders.
+# Absolute run paths would leave the length of the build folder's path in the libraries, also in installed ones. Builds with
+# sanitizers keep them: they are not installed, and their tests run copies of programs in other folders.
 if(PROJECT_IS_TOP_LEVEL AND NOT ODE_PREDICTIVE_SPACE_SANITIZERS)
     set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 endif()
@@ -41,11 +41,11 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     add_compile_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS} -fno-sanitize-recover=all
                         -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${ODE_PREDICTIVE_SPACE_SANITIZERS})
-    # A driver's functions are called by declarations of our own, not by those of its header.
+    # A driver's functions are called through declarations of this project, not through those of the driver's header.
     if(CMAKE_CXX_COMPILER_ID MATCHES Clang AND ODE_PREDICTIVE_SPACE_SANITIZERS MATCHES "undefined")
         add_compile_options(-fno-sanitize=function)
     endif()
-    # A library that is preloaded brings the sanitizer into programs that have none; Clang would leave it to the programs.
+    # A preloaded library brings the sanitizer into programs that have none; Clang would leave it to the programs.
     if(CMAKE_CXX_COMPILER_ID MATCHES Clang AND ODE_PREDICTIVE_SPACE_SANITIZERS STREQUAL "address,undefined")
         execute_process(
             COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so"
@@ -56,9 +56,9 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     endif()
 endif()
 
-# A tick of a small scene is some hundred instructions. Where they happen to lie makes up to 15 % of it, which changes with any
-# line of the source, unless functions begin with cache lines; what files call of each other makes another 2 to 6 %. Both are for
-# release builds. Switch them off where a package brings its own flags.
+# A tick of a small scene is some hundred instructions. Their placement changes its time by up to 15 % with any line of the
+# source, unless functions begin at cache lines; calls across files cost another 2 to 6 %. Both options are for release builds.
+# A package with its own flags switches them off.
 option(ODE_PREDICTIVE_SPACE_ALIGN_FUNCTIONS "Begin functions of the space with cache lines" ON)
 function(ode_predictive_space_align)
     if(NOT ODE_PREDICTIVE_SPACE_ALIGN_FUNCTIONS)
@@ -80,8 +80,8 @@ function(ode_predictive_space_optimize_across_files)
     set_target_properties(${ARGN} PROPERTIES INTERPROCEDURAL_OPTIMIZATION_RELEASE ${is_supported})
 endfunction()
 
-# What makes a mistake in the libraries harder to exploit; in release builds, and not with a sanitizer, which has its own.
-# docs/reliability.md says what it costs, and a test looks at the libraries. Switch it off where a package brings its own flags.
+# Hardening makes a mistake in the libraries harder to exploit. It is for release builds without sanitizers, which have their
+# own checks. docs/reliability.md gives its cost, and a test checks the libraries. A package with its own flags switches it off.
 option(ODE_PREDICTIVE_SPACE_HARDENING "Harden the libraries of a release build" ON)
 function(ode_predictive_space_harden)
     if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS OR NOT UNIX)
@@ -97,8 +97,8 @@ function(ode_predictive_space_harden)
     endforeach()
 endfunction()
 
-# ode_predictive_space_look_for(<package> <Debian's name> <parts>): looks for a package that the libraries do not need, and says which
-# parts are left out without it.
+# ode_predictive_space_look_for(<package> <Debian's name> <parts>): looks for a package that the libraries do not need, and says
+# which parts are left out without it.
 macro(ode_predictive_space_look_for package debian_name left_out)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
@@ -106,13 +106,13 @@ macro(ode_predictive_space_look_for package debian_name left_out)
     endif()
 endmacro()
 
-# Another project decides by itself how its compilers are called.
+# A project around this one decides how its compilers are called.
 if(PROJECT_IS_TOP_LEVEL)
     find_program(CCACHE_PROGRAM ccache)
     mark_as_advanced(CCACHE_PROGRAM)
 endif()
 if(PROJECT_IS_TOP_LEVEL AND CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # What ccache has to overlook to keep files that are compiled with precompiled headers, and to serve other clones.
+    # With these settings, ccache stores files that are compiled with precompiled headers, and serves other clones.
     set(launcher
         "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"
         CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
@@ -120,17 +120,17 @@ if(PROJECT_IS_TOP_LEVEL AND CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 
-# What the files of a target include is read once for all of them: ode_predictive_space_precompile(<target> <headers>). Of the
-# 140,000 lines that most files read, Eigen has 130,000. A file includes what it needs all the same, and with
-# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON all builds as well.
+# ode_predictive_space_precompile(<target> <headers>): compiles these headers once for all files of a target. Eigen has 130,000
+# of the 140,000 lines that most files read. Files still include what they need, so that all builds work with
+# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
 function(ode_predictive_space_precompile target)
     target_precompile_headers(${target} PRIVATE ${ARGN})
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-        target_compile_options(${target} PRIVATE -fpch-preprocess) # ccache asks for it
+        target_compile_options(${target} PRIVATE -fpch-preprocess) # ccache requires it
     endif()
 endfunction()
 
-# Those of another target that is compiled with the same options. Newer CMake warns where that one has none.
+# Reuses the headers of another target that is compiled with the same options. Newer CMake warns if there are none.
 function(ode_predictive_space_reuse_precompiled target from)
     if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
         return()

@@ -1,4 +1,4 @@
-# ODE's source, and builds of it that are not the installed one: a part of `./run`, which has the functions that this calls.
+# ODE's source, and builds of ODE from it. `./run` includes this file and has the functions that it calls.
 # shellcheck shell=bash
 
 ode_version() {
@@ -73,7 +73,7 @@ find_ode_source() {
     fi
 }
 
-# As find_ode_source, where the source is not needed: ode_source is empty when it cannot be fetched.
+# As find_ode_source, but the source is optional: ode_source is empty if it cannot be fetched.
 want_ode_source() {
     if [[ -n ${ODE_SOURCE_DIR:-} ]] || (find_ode_source); then
         find_ode_source
@@ -83,8 +83,8 @@ want_ode_source() {
     fi
 }
 
-# build_ode <prefix> <options of cmake>: builds the source of ODE into the prefix, unless that has been done; with its own
-# libccd, where Debian's package has the system's.
+# build_ode <prefix> <options of cmake>: builds the source of ODE into the prefix, unless that has been done. The build contains
+# ODE's copy of libccd; Debian's package uses the system's.
 build_ode() {
     local prefix=$1 ode_source log
     shift
@@ -97,7 +97,7 @@ build_ode() {
     say "Building ODE with $*; what the build says is in $log"
     rm -rf "$prefix"
     mkdir -p "$prefix"
-    # In a copy: the source package has configured headers in it, which a build beside it would find first.
+    # The build uses a copy: the source package has configured headers, which a build beside it would find first.
     cp -a "$ode_source" "$prefix/source"
     (
         cmake -S "$prefix/source" -B "$prefix/build" -G Ninja -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
@@ -107,12 +107,12 @@ build_ode() {
     ) >"$log" 2>&1 || fail "ODE could not be built: see $log"
 }
 
-# Of ODE's build types, Debug alone has assertions.
+# Only ODE's build type Debug has assertions.
 build_ode_release() { build_ode "$1" -DCMAKE_BUILD_TYPE=Release -DODE_DOUBLE_PRECISION=ON; }
 
 # Builds a target of the project into build/release-ode, against the ODE in the prefix $1.
 build_with_ode() {
-    # The space compiles ODE's assertion macros of its own: they go, too.
+    # The space compiles ODE's assertion macros, too; this definition removes them.
     configure -S . -B build/release-ode -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$1" \
         -DCMAKE_CXX_FLAGS=-DdNODEBUG -DODE_SOURCE_DIR=
     cmake --build build/release-ode --target "$2"

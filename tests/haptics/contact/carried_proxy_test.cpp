@@ -1,4 +1,4 @@
-// A thin surface that moves fast takes the proxy along: the region of the search covers where the surface will be.
+// A fast thin surface carries the proxy along: the search region includes the surface's next place.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -8,10 +8,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A sheet comes from below, gets faster and carries the proxy off the tool, which stands still: by several radii in a tick.
+/// A sheet comes from below, accelerates, and carries the proxy off the resting tool by several radii per tick.
 TEST(CarriedProxy, StaysOnAThinSheetThatMovesByMoreThanTheProbesSizeInATick)
 {
-    constexpr double size = 0.003; // m; the probe's radius
+    constexpr double size = 0.003; // m; radius of the probe
     const OdeUse ode;
     ProbeWorld world;
     const OdeMesh mesh(sheet_mesh(0.4, 8));
@@ -29,7 +29,7 @@ TEST(CarriedProxy, StaysOnAThinSheetThatMovesByMoreThanTheProbesSizeInATick)
     {
         const double speed = std::min(22.0, 0.5 * tick); // m/s
         dBodySetLinearVel(body, 0, 0, speed);
-        const double height = dBodyGetPosition(body)[2]; // m; as the tick sees it
+        const double height = dBodyGetPosition(body)[2]; // m; at the tick
         world.run(probe, 1);
         const double depth = std::max(0.0, height + size);
         ASSERT_NEAR(probe.last_tick().requested.z(), 10 * depth, 0.02 * 10 * depth + 1e-9)

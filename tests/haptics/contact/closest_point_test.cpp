@@ -46,7 +46,7 @@ TEST(ClosestPoint, IsFoundInACornerOfManyPlanesThroughOneEdge)
     RandomNumbers random(4);
     for (int i = 0; i < 200; ++i)
     {
-        // All through the line along y at this point: their normals lie in one plane.
+        // All planes contain the line along y through this point, so their normals are coplanar.
         const Vector3 on_edge(0.001, 0, 0.004);
         std::vector<ConstraintPlane> planes;
         for (int k = 0; k < 12; ++k)
@@ -61,8 +61,8 @@ TEST(ClosestPoint, IsFoundInACornerOfManyPlanesThroughOneEdge)
     }
 }
 
-// Two planes at an edge of a scanned mesh. The lift by either one leaves more than 1e-9 of the depth in the other, and their corner
-// cannot be computed from the rounded normals.
+// Two planes at an edge of a scanned mesh. The lift by either one leaves more than 1e-9 of the depth in the other, and the
+// rounded normals do not determine their corner.
 TEST(ClosestPoint, IsFoundWhereRoundingHidesTheCornerOfTwoPlanes)
 {
     std::vector<ConstraintPlane> planes = {

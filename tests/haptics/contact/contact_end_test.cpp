@@ -1,4 +1,4 @@
-// How a contact that holds comes to an end, and several planes of one object.
+// The end of a contact, and contacts with several planes of one object.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -13,7 +13,7 @@ class ContactEndTest : public ContactTest
 protected:
     static constexpr double middle = 1; // s
 
-    /// The hand presses 4 radii deep into a sheet at z = 0; in the middle something happens to it. Then nothing is felt.
+    /// The hand presses 4 radii deep into a sheet at z = 0. After `event`, in the middle of the run, the force is zero.
     void expect_end_by(const std::function<void()> &event)
     {
         bool happened = false;
@@ -123,7 +123,6 @@ protected:
     }
 };
 
-/// The inner corner at the origin: a floor and a wall, as one mesh.
 MeshShape corner_mesh()
 {
     MeshShape shape;
@@ -132,7 +131,6 @@ MeshShape corner_mesh()
     return shape;
 }
 
-/// Down to 4 mm in the floor, then to 4.1 mm in the wall and along it.
 Vector3 into_the_corner(double t)
 {
     const Vector3 above(0.03, 0, 0.03), floor(0.03, 0, radius - 0.004), corner(radius - 0.0041, 0, radius - 0.004);

@@ -1,4 +1,4 @@
-// Moves a hand along a path through a scene, by both laws and in both kinds of loops, and keeps the requested force of each tick.
+// Moves a hand along a path through a scene, with both laws and both kinds of loops, and records each tick.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_CONTACT_FIXTURE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_CONTACT_FIXTURE_H
@@ -20,7 +20,7 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double k = 500; // N/m; the stiffness of both laws
+constexpr double k = 500; // N/m
 
 /// The parameters: whether the law is the proxy's, and whether the loop has two threads.
 class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>
@@ -30,8 +30,8 @@ protected:
     {
         double time;
         Vector3 tool;
-        Vector3 requested;         ///< N; what the law gave
-        Vector3 proxy;             ///< m; of the proxy's law alone
+        Vector3 requested;         ///< N; the law's force
+        Vector3 proxy;             ///< m; set by the proxy law only
         std::uint64_t allocations; ///< from the device's read() to its write()
     };
 
@@ -90,10 +90,10 @@ protected:
     SimulatedClock clock_;
     double friction_ = 0;
     double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads
-    std::function<void(HapticProbe &)> prepare_; ///< before it runs; may be empty
-    double silent_from_ = 0;                     ///< s; from then on the device cannot be read
-    double silent_until_ = 0;                    ///< s
-    HapticProbe *probe_ = nullptr;               ///< while it runs
+    std::function<void(HapticProbe &)> prepare_; ///< called before the run; may be empty
+    double silent_from_ = 0;                     ///< s; the device cannot be read from here
+    double silent_until_ = 0;                    ///< s; to here
+    HapticProbe *probe_ = nullptr;               ///< null between runs
 };
 
 inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<bool, bool>> &parameters)
@@ -102,7 +102,7 @@ inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<boo
            (std::get<1>(parameters.param) ? "InTwoThreads" : "InOneThread");
 }
 
-/// From one point to another in a time, at constant speed; the path begins and ends there.
+/// A path from one point to another at constant speed, with a rest before and after it.
 inline Vector3 between(const Vector3 &from, const Vector3 &to, double start, double length, double seconds)
 {
     return from + std::clamp((seconds - start) / length, 0.0, 1.0) * (to - from);

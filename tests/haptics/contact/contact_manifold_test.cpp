@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Ticks of a tool that rests at the origin, deep in what is touched.
+/// Ticks of a tool that rests at the origin, deep in the touched objects.
 class ContactManifoldTest : public testing::Test
 {
 protected:
@@ -31,7 +31,7 @@ protected:
     ContactManifold manifold_;
 };
 
-// It was felt at once, so that the force jumped.
+// Once, the new touch was rendered in full immediately, so that the force jumped.
 TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
 {
     tick({touch_of(1, 0.01)});
@@ -42,7 +42,8 @@ TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
     EXPECT_LT(after.part, 0.01);
 }
 
-// A ball that slid in for faster ones counted as one that had appeared: its force was gone for half a second.
+// Once, a ball that took over from faster ones counted as an object that had appeared: half a second passed without its
+// force.
 TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
 {
     const auto moving = [](std::uintptr_t object, double share, double speed) {
@@ -58,7 +59,8 @@ TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
     EXPECT_EQ(tick({moving(3, 0.004, 0)})[0].part, 0) << "the former did not move, and it is deeper";
 }
 
-// Where bodies yield, the shares of what the proxy slides on to are large at once: it counted as something that had appeared, and the force fell.
+// When bodies yield, the next touches have large shares immediately. Once, these counted as objects that had appeared, and the
+// force fell.
 TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
 {
     const auto solved = [](std::uintptr_t object, double slant, double share) {
@@ -76,7 +78,7 @@ TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
     for (const Touch &touch : tick({solved(4, slant / 2, share), solved(5, -slant / 2, share)}))
         EXPECT_EQ(touch.part, 0) << "the lift is another";
 }
-// Two light bodies from nearly opposite sides: the exact shares are 1,250 times the depth.
+// Two light bodies touch from nearly opposite sides, for which the exact shares are 1,250 times the depth.
 TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
 {
     Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
@@ -97,7 +99,8 @@ TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
     }
 }
 
-// A body that moves with the next step of the scene alone gave way as if it moved within the tick: too stiff while an object rose beside it.
+// Once, a body that moves only with the scene's next step yielded as if it moved within the tick: contacts were too stiff
+// while an object rose beside it.
 TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
 {
     Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);

@@ -1,4 +1,4 @@
-// Sides that are kept: a tool that goes where it likes, and plates that move, turn and close in on it.
+// The tracker keeps the sides of entry: the tool moves at random, and plates move, turn and close in on it.
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 
@@ -13,7 +13,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double width = 2;     // m; of a plate: the tool never comes to its rim
+constexpr double width = 2;     // m; side of a plate, which the tool never leaves
 constexpr double thick = 0.001; // m
 
 /// A plate whose top is its frame's plane z = 0.
@@ -58,7 +58,6 @@ private:
 class ContactTrackerTest : public testing::TestWithParam<bool>
 {
 protected:
-    /// One tick's look, at all plates. @return what is touched.
     const std::vector<Touch> &look(const Vector3 &tool, const std::vector<const Plate *> &plates)
     {
         tracker_.begin();
@@ -112,7 +111,7 @@ TEST_P(ContactTrackerTest, WhatIsSqueezedBetweenPlatesKeepsItsSideOfEach)
 {
     const Plate below(world_, GetParam());
     const Plate above(world_, GetParam());
-    const dQuaternion turned = {0, 1, 0, 0}; // its top looks down
+    const dQuaternion turned = {0, 1, 0, 0}; // its top faces down
     dBodySetQuaternion(above.body, turned);
     for (int tick = 0; tick < 2000; ++tick)
     {
@@ -147,14 +146,13 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
     tracker.adopt(memory);
     tracker.aim({1.01, 0, 0});
     const ContactTracker::Region region = tracker.region();
-    for (const double x : {1.0, 1.05, 1.03}) // the proxy, the squeezed place, the tool as it goes on for two steps
+    for (const double x : {1.0, 1.05, 1.03}) // the proxy, the squeezed place, the tool two steps ahead
         EXPECT_LE((Vector3(x, 0, 0) - region.centre).norm() + radius, region.radius) << x;
 }
 
-/// m; the largest region while the tool goes 1.4 m away.
-///
-/// @param geoms what is told in each tick.
-/// @param before called before each tick, with the part of the way that the tool has gone.
+/// m; the largest radius of the region while the tool moves 1.4 m away.
+/// @param geoms added in each tick.
+/// @param before called before each tick with the tool's progress, 0 to 1.
 double largest_region(const std::vector<dGeomID> &geoms, const std::function<void(double)> &before)
 {
     MeshStore meshes;
@@ -175,19 +173,19 @@ double largest_region(const std::vector<dGeomID> &geoms, const std::function<voi
     return largest;
 }
 
-// Before, the place of each geom that did not hold the sphere went to the tool: 1.4 m.
+// Once, the places of geoms that did not hold the sphere moved to the tool: the region grew to 1.4 m.
 TEST(ContactTracker, WhatHoldsTheSphereKeepsTheRegionSmallWhereverTheToolIs)
 {
     const OdeUse ode;
     ProbeWorld world;
     const OdeMesh mesh(
-        box_mesh(Vector3::Constant(-0.75 * radius), Vector3::Constant(0.75 * radius))); // it is too small
+        box_mesh(Vector3::Constant(-0.75 * radius), Vector3::Constant(0.75 * radius))); // smaller than the probe
     const dGeomID cage = mesh.add_to(world.space);
     const dGeomID other = world.add_box({0.01, 0.01, 0.01}, {0.03, 0, -0.01});
     EXPECT_LT(largest_region({cage, other}, [](double) {}), 5.1 * radius);
 }
 
-// Before, the region held the places on both plates: 0.53 m.
+// Once, the region included the places on both plates: 0.53 m.
 TEST(ContactTracker, PlatesThatPassEachOtherKeepTheRegionSmall)
 {
     const OdeUse ode;
@@ -195,7 +193,7 @@ TEST(ContactTracker, PlatesThatPassEachOtherKeepTheRegionSmall)
     {
         ProbeWorld world;
         const Plate below(world, as_mesh), above(world, as_mesh);
-        const dQuaternion turned = {0, 1, 0, 0}; // its top looks down
+        const dQuaternion turned = {0, 1, 0, 0}; // its top faces down
         dBodySetQuaternion(above.body, turned);
         const auto move = [&](double part) {
             dBodySetPosition(below.body, 0, 0, 0.25 * part - 0.75 * radius);

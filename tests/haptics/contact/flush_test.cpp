@@ -19,7 +19,6 @@ protected:
         world_.add_box({0.1, 0.2, 0.1}, {0.05 + gap / 2, 0, -0.05 - step});
     }
 
-    /// Down beside the seam and across it.
     std::vector<Sample> cross()
     {
         const double height = radius - depth_on_tiles;

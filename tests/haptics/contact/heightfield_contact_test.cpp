@@ -1,4 +1,4 @@
-// Contact with heightfields whose samples the program has handed over. Both laws, both loops.
+// Contact with heightfields whose samples are set: both laws, both loops.
 
 #include "tests/haptics/contact/contact_fixture.h"
 #include "tests/haptics/contact/ridge_forces.h"
@@ -24,7 +24,7 @@ public:
     OdeField(const OdeField &) = delete;
     OdeField &operator=(const OdeField &) = delete;
 
-    /// With its y axis along the scene's z, and its x axis along x.
+    /// Adds the field with its y axis along the scene's z, and its x axis along x.
     dGeomID add_upright(dSpaceID space) const
     {
         const dGeomID geom = dCreateHeightfield(space, data_, 1);
@@ -42,13 +42,13 @@ private:
     dHeightfieldDataID data_;
 };
 
-/// The height is a function of x; of the frame's z it is not.
+/// A field whose height depends on x only.
 HeightfieldSamples profile(double cell, int cells, const std::function<double(double x)> &height)
 {
     HeightfieldSamples samples;
     samples.width = samples.depth = cell * cells;
     samples.width_samples = samples.depth_samples = cells + 1;
-    samples.scale = 0.5; // what is written down is twice as much, less 1
+    samples.scale = 0.5; // stored heights are 2 h - 1
     samples.offset = 0.5;
     for (int z = 0; z <= cells; ++z)
         for (int x = 0; x <= cells; ++x)
@@ -160,7 +160,7 @@ TEST_P(HeightfieldContactTest, OtherSamplesEndTheContact)
     }
 }
 
-/// Without its samples, and again when they are forgotten.
+/// The plane is ODE's before set_samples() and after forget_samples().
 TEST(HeightfieldContact, WithoutSamplesItIsThePlaneThatOdeFinds)
 {
     const OdeUse ode;
@@ -169,7 +169,7 @@ TEST(HeightfieldContact, WithoutSamplesItIsThePlaneThatOdeFinds)
     field.add_upright(world.space);
     ScriptedDevice device([](double seconds) { return Vector3(0.003, 0.001, seconds > 0 ? 0.006 : 0.011); });
     HapticProbe probe(device, world.space, radius, RenderSettings());
-    world.run(probe, 1); // outside of it
+    world.run(probe, 1); // the probe is still outside
     world.run(probe, 1);
     EXPECT_NEAR(probe.touches().at(0).depth, 0.004, 1e-6);
     probe.sensor()->set_samples(field.data(), field.samples());
@@ -211,7 +211,7 @@ TEST(HeightfieldContact, SamplesThatMakeNoFieldAreRefused)
     EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
 }
 
-/// Rays tell where ODE has the surface: rows, columns and diagonals of the cells.
+/// ODE's rays show the true surface: the order of rows and columns, and the diagonals of the cells.
 TEST(HeightfieldContact, TheSurfaceIsWhereOdeHasIt)
 {
     const OdeUse ode;

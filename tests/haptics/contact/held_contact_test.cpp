@@ -1,4 +1,4 @@
-// Contact that holds: a sphere that is pressed deep into thin, sharp, fast and moving things. Both laws, both loops.
+// A sphere is pressed deep into thin, sharp, fast and moving objects, and is held: both laws, both loops.
 
 #include "ode_predictive_space/haptics/contact/mesh_tree.h"
 #include "tests/haptics/contact/contact_fixture.h"
@@ -12,7 +12,7 @@ namespace
 class HeldContactTest : public ContactTest
 {
 protected:
-    /// Pressed along -z to 5 radii at a place of a surface whose highest point is at z = 0, and drawn out again.
+    /// Presses the probe 5 radii deep into a surface whose highest point is at z = 0, and draws it out again.
     void expect_spring_to_five_radii(double x, double y, double tolerance)
     {
         const Vector3 above(x, y, 0.03), below(x, y, radius - 5 * radius);
@@ -30,7 +30,7 @@ protected:
         EXPECT_NEAR(deepest, 5 * radius, 1e-9);
     }
 
-    /// Flies at 10 m/s along x through something whose front is at x = 0, after a rest.
+    /// The tool rests, then flies at 10 m/s along x through an object whose front is at x = 0.
     void expect_stopped_at_front()
     {
         const auto samples = run([](double t) { return between({-0.034, 0, 0}, {0.036, 0, 0}, 0.1, 0.007, t); }, 0.15);
@@ -134,7 +134,7 @@ TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
     Vector3 before = Vector3::Zero();
     for (const Sample &sample : samples)
     {
-        // Within 30 degrees of straight above the ridge, that is the nearest; else a slope.
+        // Within 30 degrees of the vertical through the ridge, the ridge is nearest; otherwise a slope is.
         Vector3 normal(0, 0, 1);
         const Vector3 tool(sample.tool.x(), 0, sample.tool.z());
         double distance = tool.norm();
@@ -146,7 +146,7 @@ TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
         }
         const Vector3 truth = k * std::max(0.0, radius - distance) * normal;
         ASSERT_LE((sample.requested - truth).norm(), 0.01 * 2.5) << sample.time << ": " << sample.requested.transpose();
-        ASSERT_LE((sample.requested - before).norm(), 0.06) << sample.time; // 0.1 mm of motion at most, 500 N/m
+        ASSERT_LE((sample.requested - before).norm(), 0.06) << sample.time; // at most 0.1 mm of motion, 500 N/m
         before = sample.requested;
     }
     EXPECT_NEAR(before.z(), 2.5, 1);
@@ -179,7 +179,7 @@ TEST_P(HeldContactTest, AThinDiscStopsWhatFliesAtTenMetresPerSecond)
 
 TEST_P(HeldContactTest, AWireCannotBePassedAtTenMetresPerSecond)
 {
-    dGeomSetPosition(dCreateCapsule(world_.space, 0.0005, 0.4), 0.0005, 0, 0); // along z
+    dGeomSetPosition(dCreateCapsule(world_.space, 0.0005, 0.4), 0.0005, 0, 0);
     expect_stopped_at_front();
 }
 
@@ -215,7 +215,7 @@ TEST_P(HeldContactTest, AMeshThatMovesAndTurnsHoldsOnItsWay)
         const auto &[time, turn, position] = poses.at(static_cast<std::size_t>(sample.time / 0.001 + 1e-6));
         const double late = sample.time - time;
         const Vector3 normal = turn * Vector3::UnitZ();
-        // How the plane moves within a step.
+        // The plane has moved since the last step of the scene.
         const Vector3 foot = sample.tool - normal * normal.dot(sample.tool - position);
         const Vector3 velocity = Vector3(0.02, -0.03, 0.04) + Vector3(0.3, -0.2, 0.5).cross(foot - position);
         const double depth = radius - normal.dot(sample.tool - position) + late * normal.dot(velocity);
@@ -248,7 +248,7 @@ TEST(HeldContact, HoldsInAnySpaceAndInASpaceWithinIt)
     }
 }
 
-/// Triangles turned over, there twice, without area, in a sheet of cells of 1 cm.
+/// A sheet of 1 cm cells with triangles that are flipped, doubled or without area.
 MeshShape untidy_sheet()
 {
     MeshShape shape = sheet_mesh(0.2, 20);
@@ -316,7 +316,7 @@ TEST_P(HeldContactTest, AHoleThatIsLargeEnoughLetsTheProbeThrough)
 
 TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
 {
-    const OdeMesh mesh(sheet_with_a_hole(1)); // from 0 to 1 cm in x and in y
+    const OdeMesh mesh(sheet_with_a_hole(1));
     mesh.add_to(world_.space);
     const Vector3 middle(0.005, 0.005, 0);
     const double resting = std::sqrt(radius * radius - 0.005 * 0.005); // the height at which it lies on the four edges
@@ -330,7 +330,6 @@ TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
     EXPECT_GT(samples.back().requested.z(), 0.9 * k * (resting + 0.02)) << "it never falls through";
 }
 
-/// A sheet of waves, and its triangles.
 MeshShape waves(double height)
 {
     MeshShape shape = sheet_mesh(0.5, 150);
@@ -339,7 +338,6 @@ MeshShape waves(double height)
     return shape;
 }
 
-/// At 0.5 m/s, at a height.
 ScriptedDevice::Path over_the_waves(double height)
 {
     return [height](double t) {
@@ -371,7 +369,7 @@ TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
         ASSERT_NE(nearest, features.end());
         const Vector3 truth = k * (radius - distance) * nearest->normal;
         ASSERT_NEAR(sample.requested.norm(), truth.norm(), (decoupled() ? 0.02 : 0.01) * truth.norm()) << sample.time;
-        // Two faces that form a valley of up to 4 degrees push together; the nearest of them is one.
+        // Both faces of a valley of up to 4 degrees push; the truth is that of the nearest.
         ASSERT_LE((sample.requested - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())
             << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
     }

@@ -1,4 +1,4 @@
-// Many touches at once: up to the stated capacity none is lost, in one thread and in two; what is more is told.
+// Up to the stated capacity no touch is lost, in one thread and in two. A notice reports any excess.
 
 #include "tests/haptics/contact/contact_fixture.h"
 #include "tests/haptics/forecast/coupling_scene.h"
@@ -9,13 +9,12 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A bed of balls whose tops lie on a sphere around the place that the probe goes to, so that all are touched alike.
+/// Balls that all touch the probe at the origin, so that the touches are alike.
 class ManyTouchesTest : public ContactTest
 {
 protected:
-    static constexpr double ball = 0.0005; // m; a ball's radius
+    static constexpr double ball = 0.0005; // m
 
-    /// Balls that do not move: on the rings of a spiral around the lower half of the probe.
     void add_bed(int balls)
     {
         const double turn = M_PI * (3 - std::sqrt(5.0));
@@ -31,7 +30,7 @@ protected:
         }
     }
 
-    /// N; upwards, by all balls alone.
+    /// N
     double sum_of_springs() const
     {
         double sum = 0;
@@ -49,7 +48,7 @@ protected:
         return run([this](double seconds) { return between({0, 0, 0.02}, goal, 0.2, 1, seconds); }, 1.5);
     }
 
-    const Vector3 goal = {0, 0, -0.0002}; // m; where the hand presses
+    const Vector3 goal = {0, 0, -0.0002}; // m
     NoticeList notices_;
     std::vector<Vector3> balls_;
 };
@@ -77,9 +76,8 @@ TEST_P(ManyTouchesTest, MoreThanTheCapacityIsToldAndAllocatesNothing)
 INSTANTIATE_TEST_SUITE_P(Contact, ManyTouchesTest, testing::Combine(testing::Bool(), testing::Bool()),
                          contact_test_name);
 
-/// J; of balls of 5 g on sliders that come from one side at 0.3 m/s, when they have bounced off a hand that stays where it is.
-///
-/// @param physics_rate Hz; 0: one thread. @param later m; how much later the balls come.
+/// J; the energy of 5 g balls on sliders after they hit a resting hand from one side at 0.3 m/s and bounced off.
+/// @param physics_rate Hz; 0: one thread. @param later m; added to each ball's distance.
 double energy_after_bounce(int balls, double physics_rate, std::shared_ptr<ForceLaw> law, double later = 0)
 {
     const OdeUse ode;
@@ -110,8 +108,8 @@ double energy_after_bounce(int balls, double physics_rate, std::shared_ptr<Force
     return scene.energy();
 }
 
-// Eight of them are rolled out. The roll-outs moved the others away with all that the hand had given them, and they answered a push only with the
-// next step: they went away with 1e9 times the energy.
+// Eight balls are rolled out. Once, the roll-outs moved all others with the whole impulse of the hand, although these answer
+// a push only at the next step: they left with 1e9 times the energy.
 TEST(ManyBodies, BounceOffInTwoThreadsAsInOne)
 {
     for (const int balls : {8, 9, 20})
@@ -128,8 +126,8 @@ TEST(ManyBodies, BounceOffInTwoThreadsAsInOne)
     }
 }
 
-// A proxy that lagged saw each ball from another place, which depended on the order of the geoms: up to 5 % of the energy in some of these phases between
-// two ticks. And a ball that took over from others counted as one that had appeared, which cost up to 14 %.
+// Once, a lagging proxy had its own place for each ball, which depended on the order of the geoms and cost up to 5 % of the
+// energy in some phases. A ball that took over from others counted as one that had appeared, which cost up to 14 %.
 TEST(ManyBodies, BounceOffInTwoThreadsAsInOneWheneverTheyCome)
 {
     constexpr int phases = 8;
@@ -137,7 +135,7 @@ TEST(ManyBodies, BounceOffInTwoThreadsAsInOneWheneverTheyCome)
     {
         for (int phase = 0; phase < phases; ++phase)
         {
-            const double later = 0.0003 * phase / phases; // m; in a tick they go 0.3 mm
+            const double later = 0.0003 * phase / phases; // m; a ball moves 0.3 mm per tick
             const auto energy = [&](double rate) {
                 return energy_after_bounce(balls, rate, std::make_shared<ProxyLaw>(Material{k}), later);
             };

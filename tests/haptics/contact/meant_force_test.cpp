@@ -1,4 +1,4 @@
-// The force that is meant: k (proxy - tool) in each tick, however the proxy catches up over a rough mesh.
+// The force is k (proxy - tool) in each tick, however the proxy catches up over a rough mesh.
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "tests/haptics/contact/contact_fixture.h"
@@ -12,7 +12,7 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr int ticks = of_cases(8000);
-constexpr double sheet_side = 0.2; // m; of the sheet
+constexpr double sheet_side = 0.2; // m
 
 std::vector<TriangleCorners> triangles_of(const MeshShape &shape)
 {
@@ -22,7 +22,6 @@ std::vector<TriangleCorners> triangles_of(const MeshShape &shape)
     return triangles;
 }
 
-/// Scrubs over the sheet at a speed and a depth that changes all the time, in curves.
 ScriptedDevice::Path scrub(double speed, double depth)
 {
     return [=](double seconds) -> Vector3 {

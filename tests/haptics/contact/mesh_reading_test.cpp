@@ -1,4 +1,4 @@
-// Meshes that were not prepared: they are read in parts, and meanwhile they are felt as ODE finds them.
+// Meshes that were not prepared are read in parts; meanwhile ODE's contacts are rendered.
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "tests/haptics/contact/contact_fixture.h"
@@ -13,7 +13,7 @@ namespace
 class MeshReadingTest : public testing::Test
 {
 protected:
-    /// @return the number of ticks after which the tree is ready, when each makes so many steps.
+    /// @return the number of ticks until the tree is ready. @param steps of each tick.
     static int ticks_to_read(MeshStore &store, dGeomID geom, std::size_t steps)
     {
         int ticks = 0;
@@ -84,21 +84,21 @@ class UnpreparedMeshTest : public ContactTest
 INSTANTIATE_TEST_SUITE_P(Laws, UnpreparedMeshTest, testing::Combine(testing::Bool(), testing::Bool()),
                          contact_test_name);
 
-// One tick read all of it: 1.2 s for 1.3 million triangles, without a notice.
+// Once, one tick read the whole mesh: 1.2 s for 1.3 million triangles, without a notice.
 TEST_P(UnpreparedMeshTest, IsFeltByOdeUntilItHasBeenReadAndHeldFromThenOn)
 {
     const OdeMesh mesh(sheet_mesh(0.6, 150));
     NoticeList notices;
     dGeomID geom = nullptr;
     int reading = 0;
-    double felt = 0; // m; the deepest touch while it was read
+    double felt = 0; // m; the deepest touch during the reading
     prepare_ = [&](HapticProbe &probe) { probe.renderer().set_notice_sink(notices.sink()); };
     const Vector3 above(0.001, 0.002, 0.04), in(0.001, 0.002, 0.005), below(0.001, 0.002, -0.02);
     const auto samples =
         run([&](double t) { return t < 0.5 ? between(above, in, 0.1, 0.02, t) : between(in, below, 0.8, 0.3, t); }, 1.2,
             [&](double) {
                 if (geom == nullptr)
-                    geom = mesh.add_to(world_.space); // when all that is there has been prepared
+                    geom = mesh.add_to(world_.space); // after all present meshes were prepared
                 reading += probe_->sensor()->is_reading() ? 1 : 0;
                 for (const Touch &touch : probe_->touches())
                     felt = probe_->sensor()->is_reading() ? std::max(felt, touch.depth) : felt;

@@ -9,8 +9,8 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double probe_in_notch = 0.003; // m; of the probe
-constexpr double wall = 0.4;             // m; from the bottom along it
+constexpr double probe_in_notch = 0.003; // m; radius
+constexpr double wall = 0.4;             // m; length from the bottom up
 constexpr double wall_thickness = 0.05;  // m
 
 enum class Notch
@@ -19,13 +19,13 @@ enum class Notch
     boxes_of_one_body,
     boxes_of_two_bodies,
     mesh_corner, ///< three walls
-    box_corner   ///< the same, each an object
+    box_corner   ///< three walls, each an object
 };
 
 struct Opening
 {
     Notch notch;
-    int degrees; ///< from wall to wall; of a corner, twice that of a wall with its axis
+    int degrees; ///< between the walls; for a corner, twice the angle between wall and axis
 };
 
 class NotchTest : public testing::TestWithParam<Opening>
@@ -37,11 +37,11 @@ protected:
     double resting() const
     {
         return probe_in_notch / std::sin(half());
-    } ///< m; the height of the probe that lies in the notch
+    } ///< m; height of the probe that lies on the walls
     bool is_corner() const { return GetParam().notch == Notch::mesh_corner || GetParam().notch == Notch::box_corner; }
     int walls() const { return is_corner() ? 3 : 2; }
 
-    /// Of length 1; the way from the bottom that a wall leans to.
+    /// The horizontal unit vector in which wall i leans away from the bottom.
     Vector3 outwards(int i) const { return {std::cos(2 * M_PI * i / walls()), std::sin(2 * M_PI * i / walls()), 0}; }
     Vector3 up_the_wall(int i) const { return std::sin(half()) * outwards(i) + std::cos(half()) * Vector3::UnitZ(); }
     Vector3 normal(int i) const { return std::sin(half()) * Vector3::UnitZ() - std::cos(half()) * outwards(i); }
@@ -105,7 +105,6 @@ protected:
         return shape;
     }
 
-    /// Down the middle until it is pressed, and from side to side.
     ScriptedDevice::Path press(double depth) const
     {
         const double top = resting() + 0.02, low = resting() - depth;

@@ -1,4 +1,4 @@
-// Geoms that the program poses at each tick, without a velocity or with less: tracked objects, lifts, doors.
+// Geoms that the program poses at each tick, with no velocity or too small a one: tracked objects, lifts, doors.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -8,14 +8,13 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// What the program moves.
 enum class Posed
 {
     geom,              ///< without a body
-    mesh,              ///< the same
-    convex,            ///< the same; only dCollide() knows its surface
+    mesh,              ///< without a body
+    convex,            ///< without a body; only dCollide() knows its surface
     body,              ///< kinematic
-    body_with_velocity ///< kinematic, a fifth of the velocity of its poses
+    body_with_velocity ///< kinematic; its velocity is a fifth of that of its poses
 };
 
 constexpr Posed all_kinds[] = {Posed::geom, Posed::mesh, Posed::convex, Posed::body, Posed::body_with_velocity};
@@ -23,9 +22,9 @@ constexpr Posed all_kinds[] = {Posed::geom, Posed::mesh, Posed::convex, Posed::b
 class PosedGeomTest : public ContactTest
 {
 protected:
-    static constexpr double side = 0.2;      // m; of what is posed
-    static constexpr double pressed = 0.009; // m; how deep it comes into the probe, which rests at the origin
-    static constexpr int phases = 5;         // of the first contact within a tick
+    static constexpr double side = 0.2;      // m
+    static constexpr double pressed = 0.009; // m; final depth in the probe, which rests at the origin
+    static constexpr int phases = 5;         // number of times within a tick at which the contact begins
 
     dGeomID add(Posed kind)
     {
@@ -51,9 +50,8 @@ protected:
             dBodyDestroy(body);
     }
 
-    /// Its top goes up from below the probe at a speed (m/s) until it is as deep in it as it is to be, and rests there.
-    ///
-    /// @return N; the force then.
+    /// Lifts a geom at a speed (m/s) until its top is `pressed` deep in the probe.
+    /// @return N; the final force.
     Vector3 force_of_lift(Posed kind, double speed, int phase)
     {
         const dGeomID geom = add(kind);
@@ -99,7 +97,7 @@ private:
 
 INSTANTIATE_TEST_SUITE_P(Laws, PosedGeomTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
 
-// Faster than 0.1 m/s it was taken, by chance of the first depth, for one that had appeared: 4 % of the force.
+// Once, geoms faster than 0.1 m/s counted as having appeared, depending on the first depth: 4 % of the force.
 TEST_P(PosedGeomTest, WhatIsPosedWithoutAVelocityPushesInFull)
 {
     for (const Posed kind : all_kinds)
@@ -116,7 +114,6 @@ TEST_P(PosedGeomTest, TheSameWhereTheSceneIsSlow)
         expect_full_force(kind, 0.5);
 }
 
-// A door on a hinge 0.15 m beside the probe.
 TEST_P(PosedGeomTest, WhatIsTurnedWithoutAVelocityPushesInFull)
 {
     const Vector3 hinge(-0.15, 0, -radius + pressed);
@@ -147,7 +144,7 @@ TEST_P(PosedGeomTest, WhatIsTurnedWithoutAVelocityPushesInFull)
     }
 }
 
-/// A surface that moves as its poses do is damped as one that has this velocity.
+/// Damping needs the velocity of the poses.
 TEST_P(PosedGeomTest, TheSurfaceHasTheVelocityOfItsPoses)
 {
     const dGeomID lift = add(Posed::geom);
@@ -164,7 +161,7 @@ TEST_P(PosedGeomTest, TheSurfaceHasTheVelocityOfItsPoses)
     EXPECT_LE((velocity - Vector3(0, 0, 0.2)).norm(), 0.01) << velocity.transpose();
 }
 
-/// The way of a tick is 2 mm here. What is put there from farther away has not moved there.
+/// A geom moves at most 2 mm in a tick of 1 ms; a longer displacement means that it was put there.
 TEST_P(PosedGeomTest, WhatIsPutIntoTheProbeStillAppears)
 {
     for (const Posed kind : {Posed::geom, Posed::mesh, Posed::body})

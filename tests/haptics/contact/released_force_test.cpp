@@ -1,4 +1,4 @@
-// The force ends when the proxy has come to the tool, not when the surface is out of the region of the search.
+// The force ends when the proxy reaches the tool, not when the surface leaves the search region.
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "tests/haptics/contact/contact_fixture.h"
@@ -14,12 +14,11 @@ namespace
 class ReleasedForceTest : public testing::TestWithParam<double>
 {
 protected:
-    /// How far the force of the proxy's law is off the spring between proxy and tool, and how far it jumps.
     struct Errors
     {
-        double spring = 0; ///< N
-        double jump = 0;   ///< N; of a tick, beyond what the hand's way makes of it
-        double most = 0;   ///< N; the largest force
+        double spring = 0; ///< N; distance from k (proxy - tool)
+        double jump = 0;   ///< N; change in a tick, less k times the hand's travel
+        double most = 0;   ///< N; largest force
         Vector3 last = Vector3::Zero();
     };
 
@@ -76,7 +75,7 @@ TEST_P(ReleasedForceTest, IsTheProxysSpringAllOverARoughBall)
     const double size = GetParam();
     const Errors errors = errors_along(
         [&](double) {
-            constexpr double step = 0.3 * dt; // m; of the hand in a tick
+            constexpr double step = 0.3 * dt; // m; the hand's travel in a tick
             if ((to - at).norm() < 1e-9)
                 to = (ball + size + random.between(-0.008, 0.002)) *
                      (at.normalized() + random.in_cube(0.8)).normalized();

@@ -1,4 +1,4 @@
-// The forces of a slide over ridges, against the truth about them.
+// Compares the forces of a slide over ridges with the truth.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_RIDGE_FORCES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_RIDGE_FORCES_H
@@ -8,10 +8,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Each force within 1 % of the truth.
-///
-/// @param samples of a run of a ContactTest.
-/// @param least_felt so many samples with more than 0.5 N are expected.
+/// Expects each force within 1 % of the truth, and more than `least_felt` samples above 0.5 N.
 template <typename Samples>
 void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, double least_felt)
 {

@@ -1,4 +1,4 @@
-// A mesh as rough as a scan: waves of many lengths, and the noise of a scanner on each vertex.
+// Meshes as rough as scans: waves of many lengths, and a scanner's noise on each vertex.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_ROUGH_MESH_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_ROUGH_MESH_H
@@ -8,8 +8,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A sheet about the origin, as high as its waves: each octave is half as long as the one before and two thirds as high, down to a few
-/// cells. So there are ridges of all sizes, and overhangs of none.
+/// A sheet about the origin. Each octave of waves is half as long and two thirds as high as the one before, down to a few
+/// cells, so that the sheet has ridges of all sizes and no overhangs.
 ///
 /// @param side m. @param cells along each side. @param height m; of the longest wave. @param noise m; of each vertex.
 inline MeshShape rough_sheet(double side, int cells, double height, double noise, unsigned seed)
@@ -32,9 +32,10 @@ inline MeshShape rough_sheet(double side, int cells, double height, double noise
     return shape;
 }
 
-/// A closed ball of some 2 n^2 triangles about the origin, with ridges and hollows of all sizes.
+/// A closed ball of some 4 n^2 triangles about the origin, with ridges and hollows of all sizes.
 ///
-/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius. @param noise m; of each vertex.
+/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius.
+/// @param noise m; of each vertex.
 inline MeshShape rough_ball(double mean, int rings, double roughness, double noise, unsigned seed)
 {
     RandomNumbers random(seed);

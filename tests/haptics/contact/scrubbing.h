@@ -1,4 +1,4 @@
-// A hand that scrubs over a ball as rough as a scan, and what its ticks cost.
+// A hand that scrubs over a ball as rough as a scan, and the cost of its ticks.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
@@ -15,10 +15,10 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double scrubbed_ball = 0.05; // m; the mean radius of the mesh
+constexpr double scrubbed_ball = 0.05; // m
 
-/// Of some 4 n^2 triangles. The noise of the scanner goes with its resolution, so that edges and angles between triangles are
-/// distributed alike in all of them.
+/// A ball of some 4 n^2 triangles. Its noise is in proportion to its cells, so that edges and angles between triangles have the
+/// same distribution at each resolution.
 inline MeshShape scanned_ball(int rings)
 {
     return rough_ball(scrubbed_ball, rings, 0.03, 0.2 * M_PI * scrubbed_ball / rings, 1);
@@ -32,7 +32,7 @@ public:
 
     Vector3 operator()(double)
     {
-        constexpr double step = 0.3e-3; // m; of the hand in a tick
+        constexpr double step = 0.3e-3; // m; the hand's travel in a tick
         if ((to_ - at_).norm() < 1e-9)
         {
             const Vector3 side = (at_.normalized() + random_.in_cube(0.8)).normalized();
@@ -57,7 +57,7 @@ struct ScrubbingResult
     std::vector<double> seconds;    ///< of processor time: begin(), collide and render() of each tick, sorted
 };
 
-/// s; of the calling thread.
+/// s; used by the calling thread.
 inline double processor_time()
 {
     timespec time{};
@@ -65,7 +65,7 @@ inline double processor_time()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Ticks of 1 ms, with the default kind of law. All meshes in the space are prepared.
+/// Runs ticks of 1 ms with the proxy law. All meshes in the space are prepared first.
 ///
 /// @param size m; the probe's radius.
 inline ScrubbingResult scrub(dSpaceID space, double size, int ticks)

@@ -1,4 +1,4 @@
-// The contact of a servo between two steps of a slow scene: the surface as it is, not a plane. Both laws.
+// Between two steps of a slow scene the servo renders the surface itself, not a plane. Both laws are tested.
 
 #include "tests/haptics/contact/contact_fixture.h"
 #include "tests/haptics/contact/ridge_forces.h"
@@ -20,7 +20,6 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(), testing::Values(true)),
                          contact_test_name);
 
-/// Down to 3 mm in the ridges, then over them at 0.5 m/s, at an angle.
 Vector3 over_the_ridges(double t)
 {
     const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, radius - 0.003), end(0.2, 0.05, radius - 0.003);
@@ -43,13 +42,13 @@ TEST_P(ServoContactTest, TheServoAllocatesNothing)
     const OdeMesh mesh(ridge_mesh(RidgeShape(), 250, 200));
     mesh.add_to(world_.space);
     for (const Sample &sample : run(&over_the_ridges, 1.3))
-        if (sample.time > 0.6) // the law has seen a ridge and a valley
+        if (sample.time > 0.6) // the law has met a ridge and a valley
         {
             ASSERT_EQ(sample.allocations, 0U) << sample.time;
         }
 }
 
-/// Two sheets, of which one lies 3 cm below the other, take turns as the data of a geom.
+/// The data of a geom alternate between two sheets, one 3 cm below the other.
 TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
 {
     MeshShape shape = sheet_mesh(0.4, 8);
@@ -71,7 +70,7 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
     {
         const double since = std::fmod(sample.time + 1e-6, step);
         if (since < 2e-6)
-            continue; // at the same time as a step
+            continue; // the tick coincides with a step
         const bool is_upper = static_cast<int>(sample.time / step) % 4 < 2;
         ASSERT_NEAR(sample.requested.z(), is_upper ? k * pressed : 0, 1e-9) << sample.time;
         touching += is_upper ? 1 : 0;
@@ -113,7 +112,7 @@ TEST_P(ServoContactTest, APlateThatTurnsIsFeltWhereItIs)
     dBodySetKinematic(body);
     dGeomSetBody(world_.add_box({0.6, 0.6, 0.001}, {0, 0, 0}), body);
     dBodySetFiniteRotationMode(body, 1);
-    dBodySetAngularVel(body, 0, -1, 0); // what is at positive x rises
+    dBodySetAngularVel(body, 0, -1, 0); // the side of positive x rises
     const Vector3 place(0.1, 0.02, 0.012);
     const auto samples = run([&](double) { return place; }, 0.4);
     int compared = 0;

@@ -1,5 +1,5 @@
-// A probe in a space that reports a pair only when its shapes may touch. It feels to the last bit what it feels in a space that
-// reports each pair whose bounding boxes overlap, and it is called less often. Both laws, both kinds of loops.
+// A space that reports a pair only when its shapes may touch calls the probe less often than one that reports each pair of
+// overlapping boxes. All forces are equal to the last bit, for both laws and both kinds of loops.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -17,7 +17,6 @@ enum class Measure
     sweep_and_prune
 };
 
-/// What is in the world, and what has to live as long.
 struct Things
 {
     explicit Things(Measure measure)
@@ -27,7 +26,7 @@ struct Things
             dPredictiveSpaceSetProximity(space(), dPredictiveProximityShape);
     }
 
-    /// How often the space has looked for a gap between shapes.
+    /// Number of gap tests of the space.
     unsigned long looks() const
     {
         dPredictiveSpaceCounters counters = {};
@@ -38,7 +37,7 @@ struct Things
 
     dSpaceID space() const { return world.space; }
 
-    /// Moves and turns, whatever touches it.
+    /// Makes the geom move and turn, unaffected by contacts.
     void set_going(dGeomID geom, const Vector3 &position, const Vector3 &velocity, const Vector3 &spin)
     {
         const dBodyID body = world.add_body(position, 1);
@@ -88,7 +87,7 @@ void add_crowd(Things &things, int count)
             i % 4 == 3 ? dCreateCylinder(things.space(), 0.006, 0.04) : nullptr,
         };
         const dGeomID geom = one_of[static_cast<std::size_t>(i % 4)];
-        // One after the other: compilers evaluate arguments in orders of their own.
+        // These are statements of their own because compilers order the evaluation of arguments differently.
         const double z = place(random), y = place(random), x = place(random);
         dGeomSetPosition(geom, x, y, z);
         const double angle = 3 * any(random), up = any(random) + 1.5, across = any(random), along = any(random);
@@ -96,7 +95,6 @@ void add_crowd(Things &things, int count)
     }
 }
 
-/// Through the crowd and back, along a knot.
 Vector3 through_the_crowd(double t)
 {
     return {0.09 * std::sin(2 * t), 0.09 * std::sin(3 * t + 0.5), 0.09 * std::cos(2.5 * t)};
@@ -119,7 +117,6 @@ void add_moving_things(Things &things)
     things.world.add_moving_box({0.04, 0.04, 0.04}, {0.02, 0.12, 0.02}, 0.2); // free: the hand pushes it
 }
 
-/// Five tetrahedra in a row.
 void add_convexes(Things &things)
 {
     static const std::array<dReal, 12> points = {0.02,  0,      -0.01, -0.01, 0.018, -0.01,
@@ -172,22 +169,21 @@ const Scene scenes[] = {
      [](double t) { return Vector3(0.06 * std::sin(2 * t), 0.012 * std::sin(9 * t), 0.035 - 0.015 * t); }, 1.5},
 };
 
-/// A tick, as it was felt.
 struct Felt
 {
-    Vector3 requested;                                       ///< N; what the law gave
-    Vector3 given;                                           ///< N; what the device got
-    Vector3 proxy;                                           ///< m; of the proxy's law alone
-    std::vector<std::tuple<double, double, double>> touches; ///< number, depth, x, z of the normal; one thread
+    Vector3 requested;                                       ///< N; the law's force
+    Vector3 given;                                           ///< N; sent to the device
+    Vector3 proxy;                                           ///< m; set by the proxy law only
+    std::vector<std::tuple<double, double, double>> touches; ///< depth, x and z of the normal; in one thread only
 };
 
 struct Outcome
 {
     std::vector<Felt> ticks;
     std::uint64_t calls = 0;    ///< of the near callback, for the probe
-    std::uint64_t met = 0;      ///< of these, the pairs whose shapes touched
+    std::uint64_t met = 0;      ///< calls whose shapes touched
     std::uint64_t touching = 0; ///< ticks with a force
-    unsigned long looks = 0;    ///< at gaps, by the space
+    unsigned long looks = 0;    ///< gap tests of the space
 };
 
 class ShapeMeasureTest : public testing::TestWithParam<std::tuple<bool, bool>>
@@ -285,7 +281,7 @@ TEST_P(ShapeMeasureTest, ASphereOfItsOwnFeelsTheSame)
     expect_the_same(false);
 }
 
-// Which adds other pairs, in another order.
+// Sweep and prune adds other pairs, in another order.
 TEST_P(ShapeMeasureTest, ASphereOfItsOwnFeelsTheSameInAnotherSpace)
 {
     const Scene &crowd = scenes[0];
@@ -300,7 +296,7 @@ TEST_P(ShapeMeasureTest, AGeomOfTheProgramFeelsTheSame)
 TEST_P(ShapeMeasureTest, InACrowdItIsCalledForWhatTouchesItAlone)
 {
     const Scene crowd = {"", [](Things &things) { add_crowd(things, 150); }, &through_the_crowd, 2.5};
-    stiffness_ = 20; // so soft that the proxy follows at once, and does not rest beside a geom while it catches up
+    stiffness_ = 20; // so soft that the proxy follows at once and does not rest beside a geom while it catches up
     for (const bool own_geom : {false, true})
     {
         const Outcome by_boxes = feel(crowd, Measure::boxes, own_geom);

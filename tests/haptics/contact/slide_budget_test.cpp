@@ -50,7 +50,8 @@ TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
     EXPECT_GT(felt, ticks / 4);
 }
 
-/// As dense as scans are. The long test has 1.3 million triangles. Under a sanitizer, too, the hand has the time to arrive.
+/// The meshes are as dense as scans; the long test has 1.3 million triangles. Sanitizers do not reduce the ticks, so that the
+/// hand has time to arrive.
 TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
 {
     constexpr int ticks = 1500;
@@ -68,7 +69,7 @@ TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
     }
 }
 
-/// Some 25,000 triangles are as near to the probe as its place of contact: more than one tick may visit.
+/// Some 25,000 triangles are as near to the probe as its place of contact: more than a tick may visit.
 TEST_P(SlideBudgetTest, LetsTheProxyArriveOnADenseMesh)
 {
     const double size = GetParam();

@@ -1,4 +1,4 @@
-// The parts of contact: triangles, trees of them, solids, and a sphere that slides around them.
+// The parts of contact: triangles, their trees, solids, and a sphere that slides around them.
 
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 
@@ -98,7 +98,7 @@ TEST(MeshTree, TrianglesThatAreNotNumbersAreNowhere)
     EXPECT_EQ(tree.count(), 21U);
 }
 
-/// Which one stands for the others is not decided by the point, so that it does not change from tick to tick.
+/// The choice of the triangle does not depend on the point, so that it is stable from tick to tick.
 TEST(MeshTree, ACornerOfManyTrianglesIsFeltByTheSameOneFromEverywhere)
 {
     constexpr int sides = 40;
@@ -122,7 +122,6 @@ TEST(MeshTree, ACornerOfManyTrianglesIsFeltByTheSameOneFromEverywhere)
     EXPECT_EQ(felt.size(), 1U);
 }
 
-/// Whether a way crosses a triangle.
 bool crosses(const Vector3 &from, const Vector3 &to, const TriangleCorners &corners)
 {
     const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
@@ -134,8 +133,8 @@ bool crosses(const Vector3 &from, const Vector3 &to, const TriangleCorners &corn
     return nearest_on_triangle(point, corners).squared_distance < 1e-20;
 }
 
-/// A mesh of triangles that have nothing to do with each other, and a goal that jumps about in it. The way of the sphere's centre within
-/// a run is not known, but with a short longest way it is nearly straight.
+/// A goal jumps about in a mesh of unconnected triangles. The path of the sphere's centre within a run is unknown, but nearly
+/// straight if `longest` is short.
 TEST(SphereSlide, NeverPassesAnything)
 {
     const OdeUse ode;
@@ -237,7 +236,7 @@ TEST(MeshStore, GeomsOfTheSameDataShareATreeUntilItsTrianglesChange)
     EXPECT_EQ(store.tree_of(geom, {}), tree);
 
     MeshShape moved = sheet_mesh(0.1, 4);
-    moved.vertices[0].z() += 0.001; // of the first triangle and the second
+    moved.vertices[0].z() += 0.001; // a corner of the first and second triangles
     mesh.set(moved);
     dGeomTriMeshSetData(geom, mesh.data());
     TriangleList touched;

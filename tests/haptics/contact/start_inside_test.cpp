@@ -1,4 +1,4 @@
-// A probe that is in something through whose surface it never came: at the start, after a jump, and by what appears.
+// The probe is inside an object whose surface it never crossed: at the start, after a jump, or because the object appeared.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -19,7 +19,7 @@ MeshShape dented_mesh()
     return shape;
 }
 
-/// With all triangles turned: a room.
+/// Turns all triangles over, which makes a room of a body.
 MeshShape turned(MeshShape shape)
 {
     for (auto &triangle : shape.triangles)
@@ -32,8 +32,7 @@ class StartInsideTest : public ContactTest
 protected:
     using Samples = std::vector<Sample>;
 
-    /// Begins at a place, rests, goes away by 1 m until 1 s, comes back from above, and presses 2 mm into what lies below the
-    /// origin of z at 2 s.
+    /// Rests at `start`, moves 1 m away until 1 s, comes back from above, and at 2 s presses 2 mm into the object below z = 0.
     static ScriptedDevice::Path out_and_back(const Vector3 &start)
     {
         const Vector3 above(0, 0, 0.05);
@@ -64,7 +63,6 @@ protected:
             << samples.back().requested.transpose();
     }
 
-    /// Calls something once, at a time.
     std::function<void(double)> once(double time, std::function<void()> event)
     {
         return [this, time, event = std::move(event), done = false](double) mutable {
@@ -87,7 +85,7 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Laws, StartInsideTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
 
-// Before, the mesh held the probe from within, wherever the tool went: 450 N at 1 m.
+// Once, the mesh held the probe from within, wherever the tool was: 450 N at 1 m.
 TEST_P(StartInsideTest, InAClosedMeshNothingOfItIsFeltUntilItWasLeft)
 {
     const OdeMesh mesh(dented_mesh());
@@ -97,7 +95,7 @@ TEST_P(StartInsideTest, InAClosedMeshNothingOfItIsFeltUntilItWasLeft)
 
 TEST_P(StartInsideTest, InTheSurfaceOfAClosedMeshNothingOfItIsFeltUntilItWasLeft)
 {
-    for (const double depth : {0.3 * radius, 1.5 * radius}) // of the sphere, whose middle is outside and inside
+    for (const double depth : {0.3 * radius, 1.5 * radius}) // the centre of the sphere is outside, then inside
     {
         const OdeMesh mesh(dented_mesh());
         const dGeomID geom = mesh.add_to(world_.space);
@@ -190,7 +188,7 @@ TEST_P(StartInsideTest, WhatMovesOntoTheProbeLaterPushes)
 {
     const OdeMesh mesh(dented_mesh());
     mesh.add_to(world_.space);
-    // At 0.6 s, 2 mm of it are in the probe, which is in the mesh.
+    // At 0.6 s the box is 2 mm deep in the probe, which is inside the mesh.
     add_kinematic_box({0.1, 0.1, 0.1}, {0.05 + radius - 0.002 + 0.12, 0, 0}, {-0.2, 0, 0});
     const Samples samples = run([](double) { return Vector3(0, 0, 0); }, 0.601);
     EXPECT_LE((samples.back().requested - Vector3(-k * 0.002, 0, 0)).norm(), 0.1 * k * 0.002)
@@ -208,7 +206,7 @@ TEST_P(StartInsideTest, WhatMovesAwayAndBackPushes)
         << samples.back().requested.transpose();
 }
 
-// At 50 m/s and 1 kHz its front goes from 20 mm before the probe to 30 mm behind it.
+// At 50 m/s and 1 kHz the front moves from 20 mm before the probe to 30 mm behind it.
 TEST_P(StartInsideTest, WhatIsFasterThanTheProbeIsWidePushes)
 {
     add_kinematic_box({0.4, 0.4, 0.4}, {0.2 + 0.03 + 0.5, 0, 0}, {-50, 0, 0});
@@ -220,7 +218,7 @@ TEST_P(StartInsideTest, AJumpIntoSomethingIsAStart)
 {
     const OdeMesh mesh(dented_mesh());
     dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.1);
-    world_.add_box({0.2, 0.2, 0.1}, {0.2, 0, -0.05}); // where the tool comes from, and is in no more
+    world_.add_box({0.2, 0.2, 0.1}, {0.2, 0, -0.05}); // below the place from which the tool jumps
     silent_from_ = 0.15;
     silent_until_ = 0.8;
     const auto path = out_and_back({0.01, 0.005, -0.1});
@@ -254,7 +252,7 @@ TEST_P(StartInsideTest, AMeshOrASolidThatIsPutOntoTheProbeIsAStart)
     for (const bool is_mesh : {true, false})
     {
         const dGeomID geom = is_mesh ? mesh.add_to(world_.space) : dCreateSphere(world_.space, 0.1);
-        dGeomSetPosition(geom, 0, 0, -0.22); // touched from above, first
+        dGeomSetPosition(geom, 0, 0, -0.22); // at first, the probe touches it from above
         const auto path = out_and_back({0.01, 0.005, -0.1 - radius - 0.002});
         const Samples samples = run(
             [&](double t) {
@@ -290,7 +288,7 @@ TEST_P(StartInsideTest, ARoomHoldsFromWithin)
         << samples.back().requested.transpose();
 }
 
-/// Of one layer of triangles that face outwards: nothing of it is near in its middle.
+/// The vessel is one layer of triangles that face outwards. In its middle none is near the probe.
 TEST_P(StartInsideTest, AVesselThatIsEnteredThroughItsMouthHoldsFromWithin)
 {
     MeshShape shape = box_mesh({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});

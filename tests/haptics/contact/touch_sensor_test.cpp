@@ -20,7 +20,6 @@ ToolState at(const Vector3 &position)
 class TouchSensorTest : public testing::Test
 {
 protected:
-    /// One tick's look at the scene.
     const std::vector<Touch> &look(TouchSensor &sensor, const Vector3 &position)
     {
         sensor.clear();
@@ -58,7 +57,7 @@ TEST_F(TouchSensorTest, ClaimsItsPairsAndNoOthers)
     EXPECT_FALSE(sensor.touch(sensor.geom(), reinterpret_cast<dGeomID>(nested))) << "the program is to descend into it";
 }
 
-// A probe of another shape than a sphere is collided by ODE alone.
+// Only ODE collides a probe that is not a sphere.
 TEST_F(TouchSensorTest, OfAnObjectThatIsCollidedByOdeTheDeepestContactCounts)
 {
     TouchSensor sensor(dCreateBox(world_.space, 0.02, 0.02, 0.02));

@@ -1,4 +1,4 @@
-// Connects to the server of 3D mice and writes what came of it: the program that set_user_id_test.sh gives set-user-ID.
+// Connects to the server of 3D mice and prints the result; set_user_id_test.sh runs it as a set-user-ID program.
 
 #include "ode_predictive_space/haptics/device/spnav_connection.h"
 

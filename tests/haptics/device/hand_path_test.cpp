@@ -13,7 +13,7 @@ HandPathSettings steady_hand()
     return settings;
 }
 
-// The peak of a reach of least jerk is 1.875 times its length over its time: 0.1 m in 0.3 s up to 0.3 m in 0.8 s.
+// A minimum-jerk reach peaks at 1.875 times its length over its time: 0.1 m in 0.3 s up to 0.3 m in 0.8 s.
 TEST(HandPath, ReachesAsFastAsPeopleDo)
 {
     HandPath hand(steady_hand(), 5);

@@ -8,7 +8,6 @@ using testing::IsSubstring;
 
 namespace
 {
-/// What loading one of these files throws.
 DeviceError error_of(const std::vector<std::string> &files)
 {
     try

@@ -1,5 +1,4 @@
-// Forces and errors in the servo thread, frame by frame: through the device, against a stand-in for the vendor's
-// library.
+// Forces and errors in the servo thread, frame by frame; the device runs on a stand-in for the vendor's library.
 
 #include "ode_predictive_space/haptics/device/hd_servo.h"
 
@@ -21,7 +20,7 @@ namespace
 {
 const Vector3 some_force(0.5, -1, 2);
 
-/// At 1000 Hz.
+/// Counts at 1000 Hz.
 constexpr int frames_until_stale = 10;
 constexpr int frames_of_a_pause = 100;
 
@@ -32,7 +31,7 @@ const std::uint32_t other_errors[] = {0x100, 0x101, 0x102, 0x103, 0x402, 0x501, 
 class HdServoTest : public testing::Test
 {
 protected:
-    /// With the servo thread standing still: it runs the frames that a test asks for.
+    /// Opens the device and pauses the servo thread, which then runs the test's steps only.
     void open()
     {
         device.open();
@@ -40,7 +39,7 @@ protected:
         device.read(0);
     }
 
-    /// The device renders a force, and in the frame after the next the library reports this.
+    /// While the device renders a force, hdEndFrame reports an error.
     void open_and_fail(std::uint32_t code, int times = 1)
     {
         open();
@@ -60,8 +59,8 @@ protected:
         }
     }
 
-    /// Ends a device while it renders a force: zero is set and seen by the motors before the scheduler is stopped. On a busy machine
-    /// the servo thread may not run for as long as the device waits for it; then another device is ended.
+    /// Ends a device while it renders a force: the motors must have zero before the scheduler stops. On a busy machine the
+    /// servo thread may not run within the device's wait; then another device is ended.
     void expect_rest_before_stop(const std::function<void(std::unique_ptr<OpenHapticsDevice> &)> &end)
     {
         constexpr std::chrono::milliseconds longest_wait(100);
@@ -187,7 +186,7 @@ TEST_F(HdServoTest, PausesAfterAnErrorOfForces)
         EXPECT_PRED_FORMAT2(IsSubstring, "internal code 42", error->what());
         EXPECT_TRUE(error_of_read(0.001).has_value()) << "as long as it lasts";
 
-        // One frame of the pause has gone by already.
+        // One frame of the pause has passed.
         write_for(frames_of_a_pause - 1);
         EXPECT_TRUE(fake.playing().isZero());
         write_for(1);

@@ -67,7 +67,7 @@ TEST(MouseDevice, StaysInItsWorkspaceAndComesBackAtOnce)
     EXPECT_TRUE(rest(device, time).position.allFinite());
 }
 
-// A pointer that moves evenly at 0.1 m/s, by events at 60 Hz.
+// The pointer moves evenly at 0.1 m/s, in events at 60 Hz.
 TEST(MouseDevice, MakesASmoothMotionOfEvents)
 {
     MouseSettings settings;

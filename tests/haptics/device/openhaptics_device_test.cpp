@@ -1,4 +1,4 @@
-// Opening and closing, and what goes through: against a stand-in for the vendor's library.
+// Opening, closing and the exchange of states and forces, with a stand-in for the vendor's library.
 
 #include "ode_predictive_space/haptics/drivers.h"
 
@@ -19,7 +19,6 @@ bool ends_with(const std::string &text, const std::string &end)
 class OpenHaptics : public testing::Test
 {
 protected:
-    /// What opening a device throws.
     static DeviceError error_of(const OpenHapticsSettings &settings)
     {
         OpenHapticsDevice device(settings);
@@ -73,7 +72,7 @@ TEST_F(OpenHaptics, KeepsTheLibrarysLimitsOn)
 
 TEST_F(OpenHaptics, TellsThePoseInMetresAndTheButtons)
 {
-    // Turned by a quarter about z: the handle's x axis, the first column, points up.
+    // The handle is turned by 90 degrees about z: its x axis, the first column, points up.
     fake.set_motion([](double, FakeHdPose *pose) {
         *pose = {
             {10, 20, -30}, {100, 0, -50}, {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 10, 20, -30, 1}, {0.1, 0.2, 0.3}, 5};

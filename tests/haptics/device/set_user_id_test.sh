@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A set-user-ID program does not follow SPNAV_SOCKET; the same program without set-user-ID does. Giving a file to a user and
-# running it as another one takes the superuser.
+# A set-user-ID program does not follow SPNAV_SOCKET; the same program without set-user-ID does. The test needs the superuser,
+# because it runs a file of one user as another one.
 # Usage: set_user_id_test.sh PROGRAM
 
 set -euo pipefail
@@ -22,7 +22,7 @@ expect() {
 }
 
 program=$1
-# The other user may not see the folder of the build.
+# The other user may have no access to the folder of the build.
 ldd "$program" | awk '$1 ~ /^libode/ { print $3 }' | xargs --no-run-if-empty cp --dereference --target-directory="$folder"
 find "$folder" -type f -exec chmod 755 {} + # there may be none
 export LD_LIBRARY_PATH=$folder # a set-user-ID program does not follow this either

@@ -8,7 +8,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Tells the seconds that it was moved to as its position.
+/// Its position is the time to which it was moved, in seconds.
 class ClockDevice : public SoftwareDevice
 {
 public:

@@ -1,4 +1,4 @@
-// A 3D mouse, against a stand-in for its server.
+// A 3D mouse with a stand-in for its server.
 
 #include "ode_predictive_space/haptics/drivers.h"
 
@@ -23,7 +23,6 @@ protected:
     SpacenavDevice device{without_dead_zone};
 };
 
-/// Reads once each millisecond.
 DeviceState read_until(SpacenavDevice &device, double from, double to)
 {
     DeviceState state;
@@ -91,7 +90,7 @@ TEST_F(Spacenav, IntegratesTheTwistToAnOrientation)
     const Quaternion about_x(Eigen::AngleAxisd(1, Vector3::UnitX()));
     EXPECT_LT(state.orientation.angularDistance(about_x), 1e-9);
 
-    // About axes that stay: the second turn is not about what the first has made of z.
+    // The axes are fixed: the first turn does not turn the axis of the second.
     server.send_motion(0, 0, 0, 0, 0, -full);
     state = read_until(device, 0.501, 1);
     const Quaternion about_z(Eigen::AngleAxisd(1, Vector3::UnitZ()));
@@ -130,7 +129,7 @@ TEST_F(Spacenav, NeedsMoreThanTheDeadZone)
     EXPECT_EQ(state.linear_velocity, Vector3::Zero());
     EXPECT_EQ(state.angular_velocity, Vector3::Zero());
 
-    // Beyond it the speed starts at zero, and full deflection still is full speed; more than that is no more.
+    // Beyond the dead zone the speed starts at zero. Full deflection still is full speed, and more is clamped.
     server.send_motion(full / 10 + 1, -full, 2 * full, 0, 0, 0);
     state = with_dead_zone.read(0.001);
     EXPECT_NEAR(state.linear_velocity.x(), 0.1 * (1 / 350.0) / 0.9, 1e-12);

@@ -1,4 +1,4 @@
-// How the connection to the server of 3D mice comes about, and how it does not.
+// Success and failure of the connection to the server of 3D mice.
 
 #include "ode_predictive_space/haptics/device/spnav_connection.h"
 
@@ -109,7 +109,7 @@ TEST(SpnavConnectionDeathTest, NamesTheSocketThatMustNotBeOpened)
     const auto connect_as_somebody_else = [] {
         const FakeSpacenavd server;
         chmod(server.socket_path().c_str(), 0);
-        // For the superuser nothing is forbidden.
+        // The superuser may open any socket.
         if (geteuid() == 0 && setuid(65534) != 0)
             std::_Exit(1);
         const DeviceError error = error_of_connecting();

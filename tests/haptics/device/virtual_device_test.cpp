@@ -13,7 +13,7 @@ Vector3 origin(double)
     return Vector3::Zero();
 }
 
-/// Exact encoders and no spring: what is left is a mass.
+/// A mass alone: exact encoders and no spring.
 VirtualDeviceSettings free_mass()
 {
     VirtualDeviceSettings settings;
@@ -22,7 +22,6 @@ VirtualDeviceSettings free_mass()
     return settings;
 }
 
-/// A hand that presses 1 cm into a wall at x = 0.
 class PressedWall
 {
 public:
@@ -32,7 +31,7 @@ public:
         device_.open();
     }
 
-    /// Largest less smallest position of the handle, in m, in `ticks` ticks from now on.
+    /// m; largest less smallest position of the handle in the next `ticks` ticks.
     double swing(int ticks)
     {
         double least = infinity;
@@ -83,7 +82,7 @@ TEST(VirtualDevice, OscillatesExactlyHoweverOftenItIsRead)
         VirtualDevice device(settings, origin);
         device.open();
         device.read(0);
-        device.write({Vector3(2.5, 0, 0), Vector3::Zero()}); // to 1 cm
+        device.write({Vector3(2.5, 0, 0), Vector3::Zero()});
         device.read(20);
         ASSERT_NEAR(device.true_position().x(), 0.01, 1e-12);
         device.write(Wrench());
@@ -139,7 +138,7 @@ TEST(VirtualDevice, VelocityIsThatOfTheToldPositionsFiltered)
     {
         const double velocity = device.read(i * dt).linear_velocity.x();
         mean += i >= 1000 ? velocity / 1000 : 0;
-        // One step of the encoder in one tick would be 0.03 m/s, unfiltered.
+        // Unfiltered, one encoder step in a tick would be 0.03 m/s.
         ASSERT_TRUE(i < 1000 || std::abs(velocity - 0.1) < 0.015) << velocity;
     }
     EXPECT_NEAR(mean, 0.1, 1e-4);

@@ -147,7 +147,6 @@ TEST(WorkspaceMapping, WhenTheClutchIsLetGoNothingJumps)
             EXPECT_NEAR((after.position - before.position).norm(), 0, 1e-12);
             EXPECT_NEAR(angle_between(after.orientation, before.orientation), 0, 1e-7);
 
-            // From there the tool moves as the device does.
             DeviceState moved = let_go;
             const Quaternion turn = random.rotation();
             moved.position += Vector3(0.01, 0, 0);
@@ -169,7 +168,7 @@ TEST(WorkspaceMapping, ManyUsesOfTheClutchAddUpToNoError)
     for (int use = 0; use < 10000; ++use)
     {
         DeviceState device = random_device(random);
-        device.orientation.coeffs() *= 1 + 1e-7; // as of a device that tells it in single precision
+        device.orientation.coeffs() *= 1 + 1e-7; // the error of a device with single precision
         mapping.clutch(true, device);
         mapping.clutch(false, device);
     }
@@ -185,7 +184,7 @@ TEST(WorkspacePlacement, CoversTheSceneAndIsNoLargerThanItMust)
         const Eigen::AlignedBox3d scene(low, low + Vector3::Ones() + random.in_cube(0.9));
         const Eigen::AlignedBox3d device(device_low, device_low + Vector3::Constant(0.1) + random.in_cube(0.05));
         const WorkspaceMapping mapping(WorkspacePlacement::covering(scene, device, random.rotation()));
-        double most = 0; // how far out a corner of the scene is for the hand; 1 is the end of the workspace
+        double most = 0; // farthest corner of the scene in the hand's frame; 1 is the workspace's end
         for (int corner = 0; corner < 8; ++corner)
         {
             const Vector3 at = scene.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));

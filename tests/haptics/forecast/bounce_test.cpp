@@ -1,4 +1,4 @@
-// Light balls that fly at the probe from several sides at once, and what energy they leave with.
+// Light balls fly at the probe from several sides at once, and leave with their energy.
 
 #include "tests/haptics/forecast/coupling_scene.h"
 #include "tests/haptics/support/scripted_device.h"
@@ -17,17 +17,16 @@ namespace
 {
 constexpr double stiffness = 500;     // N/m
 constexpr double probe_radius = 0.03; // m
-constexpr double ball = 0.002;        // m; a ball's radius
-constexpr int phases = 8;             // of the first touch, between two ticks
+constexpr double ball = 0.002;        // m
+constexpr int phases = 8;             // number of phases of the first touch between two ticks
 
-/// Balls all around a hand that stays where it is.
 struct Bounce
 {
     int balls = 2;
-    double kilograms = 0.005; ///< of each
-    double speed = 1;         ///< m/s
-    double physics_rate = 0;  ///< Hz; 0: one thread
-    bool by_proxy = true;     ///< felt by the proxy law, else by the penalty law
+    double kilograms = 0.005;
+    double speed = 1;        ///< m/s
+    double physics_rate = 0; ///< Hz; 0: one thread
+    bool by_proxy = true;    ///< proxy law; otherwise penalty law
 };
 
 std::ostream &operator<<(std::ostream &stream, const Bounce &bounce)
@@ -43,14 +42,14 @@ Vector3 direction_of(int i, int balls)
     return {across * std::cos(turn * i), across * std::sin(turn * i), height};
 }
 
-/// @param phase m; how much later the balls come. @return the energy that they leave with, in parts of that with which they came.
+/// @param phase m; added to the distance of the balls. @return the part of their energy that the balls keep.
 double energy_kept(const Bounce &bounce, double phase)
 {
     const OdeUse ode;
     SimulatedClock clock;
     CouplingScene scene(Stepper::quick);
     dRandSetSeed(1);
-    constexpr double comes = 1; // s; forces have ramped in
+    constexpr double comes = 1; // s; time of arrival, when forces have ramped in
     for (int i = 0; i < bounce.balls; ++i)
     {
         const Vector3 out = direction_of(i, bounce.balls);
@@ -91,8 +90,9 @@ double mean_of(const std::vector<double> &values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Each impulse was given to a body where the hand had touched it in the scene, but the body was elsewhere by then. So the arm was wrong by
-// millimetres, light balls left with hundreds of radians per second, and such balls threw the proxy about: they gained up to 1e13 times.
+// Once, each impulse acted at the place of the touch in the scene, although the body had moved since. The lever arm was wrong
+// by millimetres, light balls left with hundreds of radians per second and threw the proxy about: they gained up to 1e13 times
+// their energy.
 TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
 {
     for (const bool by_proxy : {true, false})
@@ -109,8 +109,8 @@ TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
     }
 }
 
-// Where balls come from all sides, the proxy's law gave them up to 49 % more energy, and two of 1 g up to 125 %. With shares that were bounded by
-// the deepest touch, four of 20 g gained 100 %.
+// Once, the proxy law gave balls from all sides up to 49 % more energy, and two balls of 1 g up to 125 %. With shares bounded
+// by the deepest touch, four balls of 20 g gained 100 %.
 TEST(Bounce, LightBodiesFromAllSidesGainLittle)
 {
     for (const double kilograms : {0.001, 0.002, 0.005, 0.02, 0.05})

@@ -1,4 +1,4 @@
-// Bodies whose state is not finite: ODE would end the program for them. The loop ends before that.
+// ODE would end the program for a body whose state is not finite. The loop ends before that.
 
 #include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "tests/haptics/loop/loop_fixture.h"
@@ -13,7 +13,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A part of a body's state, and how it is broken. Not by ODE's setter where that asserts.
+/// A part of a body's state, and a way to break it without an assertion of ODE's.
 struct Part
 {
     const char *name;
@@ -159,14 +159,13 @@ using LoopBodyTest = HapticLoopTest;
 INSTANTIATE_TEST_SUITE_P(Kinds, LoopBodyTest, testing::Bool(),
                          [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
 
-/// Which of a step's callbacks breaks the body.
 enum class In
 {
     collide,
     advance
 };
 
-/// The hand leans on a plane; a body elsewhere breaks. @return what the loop threw.
+/// The hand leans on a plane; a body elsewhere breaks.
 class BrokenBodyRun
 {
 public:
@@ -204,7 +203,7 @@ public:
         {
             thrown_ = error.what();
         }
-        force_at_end_ = log_.force_at(clock_.now()); // while the probe has the device
+        force_at_end_ = log_.force_at(clock_.now()); // the probe still has the device
     }
 
     void expect_named_and_left_alone() const

@@ -1,8 +1,6 @@
-// Hands that push a scene, in one thread or in two, and what is measured of it. In simulated time, where both threads are one: the same
-// in each run.
-//
-// Such motions are knife-edges: a hand moved by a micrometre may change a peak by a factor of two. So ensembles of hands are compared,
-// not traces.
+// Hands push a scene in one thread or in two. In simulated time both threads run in one, so that all runs are alike.
+// Such motions are very sensitive: a hand moved by a micrometre may change a peak by a factor of two. Therefore ensembles of
+// hands are compared, not traces.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_RUN_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_RUN_H
@@ -22,9 +20,8 @@
 namespace ode_predictive_space::haptics
 {
 constexpr int hands = 8;         // of an ensemble
-constexpr double one_thread = 0; // Hz; the rate of the scene in two threads, otherwise
+constexpr double one_thread = 0; // Hz; in place of the scene's rate
 
-/// What came of one hand.
 struct Outcome
 {
     double peak_force = 0;                                        ///< N
@@ -33,11 +30,11 @@ struct Outcome
     double impulse = 0;                                           ///< N s; the sum of magnitudes
     double given_to_hand = 0;                                     ///< J; at the end
     double given_to_scene = 0;                                    ///< J; at the end
-    double made_energy = 0;                                       ///< J; at most: given to the hand and to the scene
-    double hand_work = 0;                                         ///< J; what the hand put in
-    double unmatched = 0;       ///< in parts of the impulse on the hand: what the bodies did not get
+    double made_energy = 0;                                       ///< J; largest sum given to the hand and the scene
+    double hand_work = 0;                                         ///< J; done by the hand
+    double unmatched = 0;       ///< the part of the impulse on the hand that the bodies did not get
     double force_at_change = 0; ///< N; when the program changed the scene
-    int most_touches = 0;       ///< at once
+    int most_touches = 0;
     int notices = 0;
 };
 
@@ -50,7 +47,7 @@ inline std::ostream &operator<<(std::ostream &stream, const Outcome &outcome)
                   << " mJ, not matched " << outcome.unmatched;
 }
 
-/// Means, but for made_energy, unmatched and counts, of which it is the largest, and least_force, the least.
+/// Means; but the maxima of made_energy, unmatched and the counts, and the minimum of least_force.
 inline Outcome mean_of(const std::vector<Outcome> &outcomes)
 {
     Outcome mean;
@@ -74,11 +71,10 @@ inline Outcome mean_of(const std::vector<Outcome> &outcomes)
     return mean;
 }
 
-/// A run, and what is measured in it.
 class CoupledRun
 {
 public:
-    /// @param late s; by how much the scene's step takes longer than it may.
+    /// @param late s; simulated duration of each step of the scene.
     CoupledRun(const CouplingCase &scenario, const Vector3 &offset, Stepper stepper, double physics_rate,
                double late = 0)
         : scene_(stepper), scenario_(scenario), hand_(scenario.hand), decoupled_(physics_rate != one_thread)
@@ -166,7 +162,7 @@ private:
         outcome_.made_energy = std::max(outcome_.made_energy, outcome_.given_to_hand + outcome_.given_to_scene);
     }
 
-    /// What the program does to the scene counts for neither side.
+    /// Energy from the program's change counts for neither side.
     void change()
     {
         if (scenario_.change && !changed_ && clock_.now() >= HandWay::rests + scenario_.change_time)

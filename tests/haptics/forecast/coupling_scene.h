@@ -1,4 +1,4 @@
-// Scenes that a hand pushes, and what came of it: the same hand in one thread and in two.
+// Scenes for a hand that pushes them, in one thread and in two.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_SCENE_H
@@ -21,7 +21,7 @@ enum class Stepper
     quick  ///< dWorldQuickStep()
 };
 
-/// A world whose bodies a hand pushes, with all that is to be measured of it. Bodies that a joint connects do not touch.
+/// A world whose bodies a hand pushes, with its measurements. Bodies that a joint connects do not collide.
 class CouplingScene
 {
 public:
@@ -57,7 +57,6 @@ public:
         return add(dCreateBox(space, sides.x(), sides.y(), sides.z()), mass, at);
     }
 
-    /// Another geom for a body, beside its own.
     void add_box_to(dBodyID body, const Vector3 &sides, const Vector3 &offset)
     {
         const dGeomID box = dCreateBox(space, sides.x(), sides.y(), sides.z());
@@ -85,7 +84,6 @@ public:
         dJointSetSliderAxis(joint, axis.x(), axis.y(), axis.z());
     }
 
-    /// A body, with its geoms and joints.
     void destroy(std::size_t body)
     {
         while (const dGeomID geom = dBodyGetFirstGeom(bodies[body]))
@@ -109,7 +107,7 @@ public:
         dJointGroupEmpty(contacts_);
     }
 
-    /// N; what acts on the bodies besides gravity, before a step: the hand.
+    /// N; the forces on the bodies before a step, all of which are the hand's.
     Vector3 force_of_hand() const
     {
         Vector3 sum = Vector3::Zero();
@@ -158,7 +156,7 @@ public:
     static constexpr double gravity = 9.81; // m/s^2
     const dWorldID world;
     const dSpaceID space;
-    const dJointGroupID joints; ///< for those that are to go at once
+    const dJointGroupID joints; ///< for joints that are destroyed together
     std::vector<dBodyID> bodies;
     double friction = 0.5; ///< of contacts between bodies
 
@@ -204,17 +202,16 @@ private:
     HapticProbe *probe_ = nullptr;
 };
 
-/// Where the hand goes from and to, at which speed.
 struct HandWay
 {
     Vector3 from;
     Vector3 direction; ///< of length 1
     double length;     ///< m
     double speed;      ///< m/s
-    double duration;   ///< s; from the moment at which the hand sets out
+    double duration;   ///< s; from the start of the motion
     double sway = 0;   ///< m; amplitude of an oscillation along x at 1 Hz
 
-    static constexpr double rests = 1; ///< s; before that, the forces ramp in
+    static constexpr double rests = 1; ///< s; rest before the motion, while forces ramp in
 
     Vector3 at(double time) const
     {
@@ -224,21 +221,20 @@ struct HandWay
     }
 };
 
-/// A scene to be built, and a hand for it.
 struct CouplingCase
 {
     static constexpr double stiffness = 500; ///< N/m
 
     std::function<void(CouplingScene &)> build;
     HandWay hand;
-    double spread_along = 0.003;  ///< m; of the hands of an ensemble, in y
-    double spread_across = 0.004; ///< m; in z
+    double spread_along = 0.003;  ///< m; spread of an ensemble's hands in y
+    double spread_across = 0.004; ///< m; spread in z
     double friction = 0;          ///< coefficient; of the probe
     double most_unmatched = 1e-9; ///< see Outcome
-    bool by_proxy = false;        ///< felt by the proxy law, else by the penalty law
+    bool by_proxy = false;        ///< proxy law; otherwise penalty law
 
-    std::function<void(CouplingScene &)> change; ///< what the program does meanwhile; may be empty
-    double change_time = 0.7;                    ///< s; from the moment at which the hand sets out
+    std::function<void(CouplingScene &)> change; ///< the program's change of the scene; may be empty
+    double change_time = 0.7;                    ///< s; from the start of the motion
 
     std::shared_ptr<ForceLaw> law() const
     {
@@ -251,8 +247,7 @@ struct CouplingCase
 };
 
 /// Balls with a gap of 2 mm, the uppermost held by a joint. The hand pushes in the middle, then rests.
-///
-/// @param grouped whether its joints are of the scene's group.
+/// @param grouped whether the joints are in the scene's group.
 inline CouplingCase rope(int count, double kilograms, bool grouped = false)
 {
     CouplingCase rope;
@@ -270,7 +265,7 @@ inline CouplingCase rope(int count, double kilograms, bool grouped = false)
     return rope;
 }
 
-/// The hand is near from the beginning: alone, ODE does not hold this rope at 60 and 100 Hz.
+/// The hand is near from the beginning, because ODE alone does not hold this rope at 60 and 100 Hz.
 inline CouplingCase rope_of_twenty()
 {
     CouplingCase twenty = rope(20, 0.002);
@@ -304,7 +299,7 @@ inline CouplingCase slider()
     return slider;
 }
 
-/// Boxes of 50 g, pushed at the one in the middle. The hand is near from the beginning.
+/// Boxes of 50 g. The hand, which is near from the beginning, pushes the one in the middle.
 inline CouplingCase stack(int count)
 {
     constexpr double pressed = 1e-5; // m; so that they are in contact from the beginning
@@ -348,7 +343,6 @@ inline CouplingCase ragdoll()
     return ragdoll;
 }
 
-/// A ball of 10 g between the hand and a wall.
 inline CouplingCase held_ball()
 {
     CouplingCase ball;
@@ -374,7 +368,7 @@ inline CouplingCase leaning(double duration)
     return box;
 }
 
-/// The same hand with friction, rubbing back and forth over the box, which is too heavy to be dragged along.
+/// As leaning(), but with friction: the hand rubs back and forth over the box, which is too heavy to be dragged along.
 inline CouplingCase scrubbing(double duration)
 {
     CouplingCase box = leaning(duration);
@@ -383,7 +377,6 @@ inline CouplingCase scrubbing(double duration)
     return box;
 }
 
-/// Free balls beside each other, pushed at once and without end.
 inline CouplingCase free_balls(const std::vector<double> &kilograms)
 {
     CouplingCase balls;
@@ -398,7 +391,7 @@ inline CouplingCase free_balls(const std::vector<double> &kilograms)
     return balls;
 }
 
-/// A free body with an inner corner, pushed there: two touches of one body.
+/// A free body with an inner corner. The hand pushes there and touches it twice.
 inline CouplingCase corner()
 {
     CouplingCase corner;
@@ -414,7 +407,7 @@ inline CouplingCase corner()
     return corner;
 }
 
-/// A cart on rails, taken along by the friction of a hand that comes down on it.
+/// A cart on rails. A hand that comes down on it drags it along by friction.
 inline CouplingCase dragged_cart()
 {
     CouplingCase cart;

@@ -1,4 +1,4 @@
-// Bodies with joints and contacts, pushed in two threads as in one.
+// Bodies with joints and contacts respond to a push in two threads as in one.
 
 #include "tests/haptics/forecast/coupling_run.h"
 #include "tests/haptics/forecast/leaning.h"
@@ -23,7 +23,7 @@ std::ostream &operator<<(std::ostream &stream, const NamedCase &named)
     return stream << named.name;
 }
 
-/// The same by both steppers of ODE, each at the rates that are given for it.
+/// Adds the scene with both steppers of ODE, each at its rates.
 void add_both(std::vector<NamedCase> &cases, const char *name, const CouplingCase &scenario,
               const std::vector<double> &exact_rates, const std::vector<double> &quick_rates)
 {
@@ -71,7 +71,6 @@ std::vector<NamedCase> coupled_scenes()
     return cases;
 }
 
-/// Two touches of one body, friction, both laws.
 std::vector<NamedCase> several_touches()
 {
     std::vector<NamedCase> cases;
@@ -84,7 +83,6 @@ std::vector<NamedCase> several_touches()
     return cases;
 }
 
-/// What a program does meanwhile to what is being pushed.
 std::vector<NamedCase> changed_scenes()
 {
     std::vector<NamedCase> cases;
@@ -93,7 +91,7 @@ std::vector<NamedCase> changed_scenes()
         add_both(cases, name, with_change(scenario, change), all_rates, all_rates);
     };
     CouplingCase destroyed = rope(3, 0.02);
-    destroyed.most_unmatched = 0.03; // there is no body for what the hand got in the last step
+    destroyed.most_unmatched = 0.03; // the hand's last impulse has no body
     add_change("ABodyIsDestroyed", destroyed, [](CouplingScene &scene) { scene.destroy(1); });
     add_change("AJointIsDestroyed", rope(3, 0.02),
                [](CouplingScene &scene) { dJointDestroy(dConnectingJoint(scene.bodies[1], scene.bodies[2])); });
@@ -118,7 +116,7 @@ TEST(Coupling, ACornerIsTouchedByBothItsWalls)
     EXPECT_EQ(CoupledRun(corner(), Vector3::Zero(), Stepper::exact, 100).outcome().most_touches, 2);
 }
 
-// It needs its time: a step of the scene takes 4 ms.
+// Each step of the scene takes 2 ms of simulated time.
 TEST(Coupling, ARopeHoldsWhenTheSceneComesLate)
 {
     const CouplingCase scenario = rope(3, 0.002);

@@ -1,5 +1,5 @@
-// Hands that press on many light bodies at once, in one thread or in two, and what is measured of it. In simulated time, where both
-// threads are one: the same in each run.
+// Hands press on many light bodies at once, in one thread or in two. In simulated time both threads run in one, so that all
+// runs are alike.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_CROWD_RUN_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_CROWD_RUN_H
@@ -17,24 +17,23 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Bodies that a sphere touches at the same time.
 enum class Crowd
 {
     pit,  ///< balls side by side on a floor, between four walls
-    pile, ///< balls dropped into a pit of half their number to a layer
-    wedge ///< boxes around the sphere, whose faces lean outwards; nothing else holds them
+    pile, ///< balls in two layers, dropped into a pit
+    wedge ///< free boxes around the sphere, whose faces lean outwards
 };
 
 struct CrowdCase
 {
     Crowd crowd = Crowd::pit;
     int bodies = 5;
-    double kilograms = 0.005; ///< of each
-    double opening = 10;      ///< degrees; of a wedge
-    bool by_proxy = true;     ///< felt by the proxy law, else by the penalty law
-    double physics_rate = 0;  ///< Hz; of the scene in two threads, 0: one thread at 1 kHz
+    double kilograms = 0.005;
+    double opening = 10;     ///< degrees; of a wedge
+    bool by_proxy = true;    ///< proxy law; otherwise penalty law
+    double physics_rate = 0; ///< Hz; of the scene in two threads, 0: one thread at 1 kHz
     Stepper stepper = Stepper::quick;
-    bool by_collide = false; ///< the balls are in geom transforms, whose surface dCollide() alone knows
+    bool by_collide = false; ///< the balls are in geom transforms, whose surface only dCollide() knows
 };
 
 inline std::string name_of(const CrowdCase &scenario)
@@ -51,18 +50,17 @@ inline std::string name_of(const CrowdCase &scenario)
     return name + (scenario.stepper == Stepper::exact ? "Exact" : "") + (scenario.by_collide ? "ByCollide" : "");
 }
 
-/// What came of one hand.
 struct CrowdOutcome
 {
     double peak_force = 0;     ///< N; requested
-    double largest_change = 0; ///< N; of the requested force, in a tick
-    double excess = 0;         ///< N; of that, what the motion of hand and bodies does not explain
+    double largest_change = 0; ///< N; of the requested force in a tick
+    double excess = 0;         ///< N; its part that the motion of hand and bodies does not explain
     double fastest = 0;        ///< m/s; of the bodies
-    double made_energy = 0;    ///< J; at most: what hand and bodies got, and what the spring holds
-    double exchanged = 0;      ///< J; the sum of the magnitudes of the hand's work
-    double impulse = 0;        ///< N s; the sum of the magnitudes of what the hand got
+    double made_energy = 0;    ///< J; largest sum of the energy given to hand and bodies and that of the spring
+    double exchanged = 0;      ///< J; sum of the magnitudes of the hand's work
+    double impulse = 0;        ///< N s; sum of the magnitudes on the hand
 
-    /// J; the part of the energy that measuring errors do not explain.
+    /// J; the part of the energy that errors of measurement do not explain.
     double surplus() const { return std::max(0.0, made_energy - 0.05 * exchanged); }
 };
 
@@ -74,7 +72,7 @@ inline std::ostream &operator<<(std::ostream &stream, const CrowdOutcome &outcom
                   << " mJ of " << 1000 * outcome.exchanged << " mJ";
 }
 
-/// The work of the hand's pushes on bodies in a step. The mean velocity of a step makes it exact, whatever else pushes them.
+/// The work of the hand's pushes on bodies in a step. With the mean velocity of a step it is exact, whatever else pushes them.
 class WorkOnBodies
 {
 public:
@@ -86,7 +84,7 @@ public:
                                vector(dBodyGetLinearVel(body)), vector(dBodyGetAngularVel(body))});
     }
 
-    /// @return J. @param dt s; of the step that was made meanwhile.
+    /// @return J. @param dt s; length of the step since the constructor.
     double of_step(double dt) const
     {
         double work = 0;
@@ -110,15 +108,14 @@ private:
     std::vector<Pushed> pushed_;
 };
 
-/// A run, and what is measured in it.
 class CrowdRun
 {
 public:
     static constexpr double stiffness = 500;     ///< N/m
     static constexpr double probe_radius = 0.03; ///< m
-    static constexpr double ball = 0.01;         ///< m; a ball's radius
+    static constexpr double ball = 0.01;         ///< m
 
-    /// @param hand 0 to 7; hands differ in where they go, and in how the balls lie.
+    /// @param hand 0 to 7; it decides the hand's path and the places of the balls.
     CrowdRun(const CrowdCase &scenario, int hand) : scene_(scenario.stepper), scenario_(scenario), random_(hand)
     {
         dRandSetSeed(1);
@@ -136,7 +133,6 @@ public:
     const CrowdOutcome &outcome() const { return outcome_; }
 
 private:
-    /// From a tick to the next.
     struct Change
     {
         double force; ///< N
@@ -144,7 +140,7 @@ private:
     };
 
     static constexpr double tick_length = 0.001; ///< s
-    static constexpr double rests = 1;           ///< s; while balls come to rest and forces ramp in
+    static constexpr double rests = 1;           ///< s; balls come to rest and forces ramp in
 
     std::shared_ptr<ForceLaw> law() const
     {
@@ -275,8 +271,7 @@ private:
         last_tool_ = tick.tool.position;
     }
 
-    /// In two threads, the servo foresees the motion of the step that the scene makes afterwards.
-    ///
+    /// In two threads, the servo predicts the motion of the scene's next step.
     /// @param speed m/s; of the fastest body.
     void explain_changes(double speed)
     {
@@ -290,7 +285,7 @@ private:
         changes_.clear();
     }
 
-    /// From -1 to 1, the same in each run.
+    /// A pseudorandom number from -1 to 1.
     double number()
     {
         random_ = random_ * 1103515245u + 12345u;
@@ -302,7 +297,7 @@ private:
     CouplingScene scene_;
     const CrowdCase scenario_;
     unsigned random_;
-    double top_ = 0; ///< m; the height of the probe that touches the bodies
+    double top_ = 0; ///< m; height of the probe that touches the bodies
     CrowdOutcome outcome_;
     double given_ = 0;            ///< J; to hand and bodies
     double speed_ = 0;            ///< m/s; of the fastest body
@@ -317,7 +312,7 @@ private:
 
 constexpr int hands_of_crowd = 8; // of an ensemble
 
-/// Expects that no hand makes energy, and that no force jumps. @return the means of forces and impulses, and the fastest body of all.
+/// Expects that no hand makes energy and no force jumps. @return mean forces and impulses, and the fastest body of all.
 inline CrowdOutcome expect_quiet(const CrowdCase &scenario)
 {
     CrowdOutcome mean;
@@ -334,7 +329,7 @@ inline CrowdOutcome expect_quiet(const CrowdCase &scenario)
     return mean;
 }
 
-/// Ensembles are compared, not traces: such motions are knife-edges.
+/// Ensembles are compared, because single traces are too sensitive.
 inline void expect_as_in_one_thread(const CrowdCase &scenario)
 {
     CrowdCase in_one = scenario;

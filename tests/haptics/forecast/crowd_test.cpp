@@ -1,4 +1,4 @@
-// Hands that press on many light bodies at once: no energy is made, and forces change no faster than hand and bodies move.
+// Hands press on many light bodies at once: no energy is made, and forces change no faster than hand and bodies move.
 
 #include "tests/haptics/forecast/crowd_run.h"
 
@@ -37,8 +37,9 @@ std::vector<CrowdCase> crowds_in_one_thread()
 
 INSTANTIATE_TEST_SUITE_P(OneThread, CrowdTest, testing::ValuesIn(crowds_in_one_thread()), name_of_crowd);
 
-/// Each is a plane where it is nearest to the proxy. When they were contacts of the tool, their normals turned faster, the deeper the tool was, and a wall
-/// that the proxy met counted from the tool's place: 15 % of the energy was made, and forces jumped by 2.2 N.
+/// Each ball is a plane at its point nearest to the proxy. Once, balls were contacts of the tool: their normals turned faster
+/// the deeper the tool was, and walls at the proxy counted from the tool. 15 % of the energy was made, and forces jumped by 2.2
+/// N.
 TEST(CrowdThatOnlyCollideKnows, IsAsQuietAsOthers)
 {
     for (const int balls : {5, 9})

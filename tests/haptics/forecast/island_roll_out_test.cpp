@@ -88,7 +88,7 @@ TEST_F(IslandRollOutTest, PutsAllBack)
     EXPECT_EQ(dRandGetSeed(), 5U);
 }
 
-// Without a geom and a joint. It was moved by each trial, and not put back.
+// The body has no geom and no joint. Once, each trial moved it, and it was not put back.
 TEST_F(IslandRollOutTest, BodiesThatNothingLeadsToDoNotMove)
 {
     const dBodyID lost = dBodyCreate(dBodyGetWorld(other_));
@@ -140,7 +140,7 @@ TEST_F(IslandRollOutTest, AnIdleBodyFallsAsleepWhenItWouldHave)
     EXPECT_EQ(dBodyIsEnabled(other_), 0);
 }
 
-// A row of balls, each joined to the next: longer than what is tried out.
+// A row of joined balls that is longer than the part that is tried out.
 class LongRow : public testing::TestWithParam<bool>
 {
 protected:
@@ -175,7 +175,7 @@ TEST_P(LongRow, IsPutBack)
     }
 }
 
-// What is beyond is held where it is, and holds the rest.
+// Bodies beyond that part are held in place, and hold the others.
 TEST_P(LongRow, AnswersAPushAsTheWholeRowDoes)
 {
     const std::size_t middle = scene_.bodies.size() / 2;
@@ -195,7 +195,7 @@ TEST_P(LongRow, AnswersAPushAsTheWholeRowDoes)
 INSTANTIATE_TEST_SUITE_P(Steppers, LongRow, testing::Bool(),
                          [](const auto &info) { return info.param ? "quick" : "exact"; });
 
-// A ball that hangs between two joints: (T1 + T2) r / I, with the weights below it.
+// The squared frequency of a ball that hangs between two joints is (T1 + T2) r / I; both tensions are the weights below.
 TEST_F(IslandRollOutTest, TheFastestSwingOfARopeIsThatOfItsUppermostBall)
 {
     IslandRollOut island({scene_.bodies[2]}, false);

@@ -1,4 +1,5 @@
-// A hand that leans on a box, or scrubs it, in two threads as in one. QuickStep lifts the box by up to 2 mm now and then: the hand must not feel it.
+// A hand leans on a box, or scrubs it, in two threads as in one. QuickStep sometimes lifts the box by up to 2 mm, which must
+// not reach the hand.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_LEANING_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_LEANING_H
@@ -14,7 +15,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// By ODE's stepper and the rate of the scene, Hz.
+/// The parameters: ODE's stepper, and the rate of the scene in Hz.
 class LeaningTest : public testing::TestWithParam<std::tuple<Stepper, int>>
 {
 protected:
@@ -35,7 +36,7 @@ protected:
     }
 
 private:
-    /// Prints the energy balance. @return in one thread and in two.
+    /// Prints the energy balance. @return the outcomes in one thread and in two.
     static std::pair<Outcome, Outcome> expect_balanced(const CouplingCase &scenario)
     {
         const auto [stepper, rate] = GetParam();

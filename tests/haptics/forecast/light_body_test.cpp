@@ -1,4 +1,4 @@
-// Bodies that weigh next to nothing, felt in two threads. In simulated time, where both are one: the same in each run.
+// Contact with very light bodies in two threads. In simulated time both run in one, so that all runs are alike.
 
 #include "ode_predictive_space/haptics/loop.h"
 
@@ -15,7 +15,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double side = 0.06; // m; of the bodies
+constexpr double side = 0.06; // m
 
 std::shared_ptr<ForceLaw> make_law(bool proxy, double stiffness)
 {
@@ -38,7 +38,6 @@ protected:
         return body;
     }
 
-    /// Runs a loop of two threads, the law that of the parameter.
     void run(Device &device, double stiffness, double rate, double physics_rate, double duration,
              const std::function<void(const RenderedTick &)> &recorder = {},
              const std::function<void()> &each_step = {})
@@ -68,13 +67,12 @@ protected:
     ProbeWorld world_;
 };
 
-/// Waits for the forces to ramp in, then moves at a constant speed along x.
 ScriptedDevice::Path push_at(double speed, double start)
 {
     return [=](double seconds) -> Vector3 { return {start + speed * std::max(0.0, seconds - 1), 0, 0}; };
 }
 
-// A hand that moves at a constant speed is a wall with a spring: the body bounces off it at twice its speed.
+// A hand of constant speed is a wall with a spring: the body bounces off it at twice the hand's speed.
 TEST_P(LightBodyTest, AFreeBodyLeavesAHandOfConstantSpeedAtTwiceItsSpeed)
 {
     constexpr double speed = 0.1; // m/s
@@ -93,7 +91,7 @@ TEST_P(LightBodyTest, AFreeBodyLeavesAHandOfConstantSpeedAtTwiceItsSpeed)
                     clock_.advance(1);
                     ScriptedDevice device(push_at(speed, -radius));
                     run(device, stiffness, 1000, physics_rate, 1.6);
-                    world_.step(1 / physics_rate); // what the hand got last is waiting
+                    world_.step(1 / physics_rate); // the hand's last impulse is pending
                     const double ratio = dBodyGetLinearVel(body)[0] / speed;
                     EXPECT_LE(ratio, 2.05);
                     EXPECT_GE(ratio, 1.95);
@@ -105,7 +103,6 @@ TEST_P(LightBodyTest, AFreeBodyLeavesAHandOfConstantSpeedAtTwiceItsSpeed)
     }
 }
 
-/// Presses, holds and lets up, 1 to 4 mm deep.
 double press_depth(double seconds)
 {
     const double t = seconds - 1;
@@ -117,15 +114,15 @@ double press_depth(double seconds)
 class HeldBodyTest : public LightBodyTest
 {
 protected:
-    /// How far the force is from stiffness times depth, at worst, in parts of it.
-    /// @param towards the hand's direction; the body is held from there.
+    /// The largest relative error of the force, compared with stiffness times depth.
+    /// @param towards the hand's direction; the body is supported on that side.
     double worst_error(dBodyID body, const Vector3 &towards, double stiffness, double physics_rate)
     {
         const Vector3 centre = place_of(body);
         const Vector3 contact = centre - towards * (side / 2 + radius);
         ScriptedDevice device([=](double seconds) -> Vector3 { return contact + press_depth(seconds) * towards; });
         double worst = 0;
-        Vector3 surface = contact; // m; where the tool just touches the body, as it is now
+        Vector3 surface = contact; // m; place at which the tool just touches the body
         int compared = 0;
         const auto compare = [&](const RenderedTick &tick) {
             if (tick.time > 1.5)
@@ -141,7 +138,6 @@ protected:
         return worst;
     }
 
-    /// For cubes of several masses, each pressed towards what it leans on.
     void expect_the_stiffness_of_the_wall(const Vector3 &place, const Vector3 &towards)
     {
         for (const double stiffness : {200.0, 500.0})

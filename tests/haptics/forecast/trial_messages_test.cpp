@@ -1,4 +1,4 @@
-// A loop of two threads tries steps out: messages of ODE about them are not the program's.
+// A loop of two threads tries steps out; messages of ODE about trials are kept from the program.
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/loop/trial_messages.h"
@@ -48,7 +48,8 @@ TEST_F(TrialMessagesTest, KeepBackThoseOfTheirThreadAloneAndLeaveTheHandlerAsItW
     EXPECT_EQ(next.count(), 0U);
 }
 
-/// A hand presses on a box on a floor, beside its middle: contacts of plane and box depend on each other, which dWorldStep() has messages about.
+/// A hand presses on a box beside its middle. The contacts of box and floor depend on each other, which makes dWorldStep() send
+/// messages.
 TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
 {
     ProbeWorld world;

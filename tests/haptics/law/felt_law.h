@@ -1,4 +1,4 @@
-// A law as a renderer uses it: with touches that are recognised and whose constraint is solved.
+// A law as the renderer uses it: touches have identities, and their constraint is solved.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LAW_FELT_LAW_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LAW_FELT_LAW_H

@@ -15,7 +15,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// What holds for every law of a surface.
 class SurfaceLaw : public testing::TestWithParam<const char *>
 {
 protected:
@@ -26,7 +25,6 @@ protected:
         return std::make_unique<Felt<ProxyLaw>>(properties);
     }
 
-    /// A law at work for the first time, and k d n beside it.
     void expect_spring(double stiffness, const ToolState &tool, const Touch &touch)
     {
         TouchForces forces;
@@ -86,7 +84,7 @@ TEST_P(SurfaceLaw, NeverPullsWhateverItTouches)
     for (int tick = 0; tick < 5000; ++tick)
     {
         const std::vector<Touch> touches = random.touches(1 + random.below(5));
-        law->reset(); // else a proxy may know better than a touch where outside is
+        law->reset(); // otherwise the proxy may keep another side than the touch
         law->forces(random.tool(), touches, dt, forces);
         for (std::size_t i = 0; i < touches.size(); ++i)
             EXPECT_GE(forces[i].dot(touches[i].normal), 0);
@@ -133,7 +131,7 @@ TEST_P(SurfaceLaw, FrictionIsWithinItsConeOnEveryTouch)
     const double friction = 0.6;
     const auto law = make({700, 0, friction});
     TouchForces forces;
-    double most = 0; // of tangential over normal force
+    double most = 0; // largest ratio of tangential to normal force
     for (int run = 0; run < 200; ++run)
     {
         ToolState tool = random.tool();

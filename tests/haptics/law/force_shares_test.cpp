@@ -34,11 +34,11 @@ TEST(ForceSplit, AForceThatLagsBelongsToWhoMadeIt)
 {
     ForceSplit split;
     split.split({touch_of(1)}, {{4, 0, 0}}, {4, 0, 0});
-    // The first is left, the second pushes in another direction; the force is half way between.
+    // The tool went from the first object to the second; the force is halfway between theirs.
     split.split({touch_of(2)}, {{0, 6, 0}}, {2, 3, 0});
     EXPECT_LE((share_of(split, 1) - Vector3(2, 0, 0)).norm(), 1e-14);
     EXPECT_LE((share_of(split, 2) - Vector3(0, 3, 0)).norm(), 1e-14);
-    // And on, with nothing touched.
+    // The force fades further without a touch.
     split.split({}, {}, {1, 1.5, 0});
     EXPECT_LE((share_of(split, 1) - Vector3(1, 0, 0)).norm(), 1e-14);
     EXPECT_EQ(split.shares().size(), 2U);

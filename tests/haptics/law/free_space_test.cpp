@@ -1,4 +1,4 @@
-// A law of the program with a force in free space: what the hand gets of the contact, the body gets, and nothing else.
+// A program's law adds a force in free space. The touched body gets the contact's force only.
 
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/support/probe_fixture.h"
@@ -7,7 +7,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Pulls the tool sideways wherever it is, besides what it touches.
+/// Adds a constant sideways pull to the forces of contact.
 class Magnet final : public ForceLaw
 {
 public:
@@ -24,7 +24,7 @@ public:
     void reset() override { law_.reset(); }
     Material material() const override { return law_.material(); }
 
-    Vector3 contact = Vector3::Zero(); ///< N s; of the touches alone
+    Vector3 contact = Vector3::Zero(); ///< N s; of touches only
 
 private:
     ProxyLaw law_;

@@ -1,4 +1,4 @@
-// Friction where a surface bends: over the ridge of a roof and off the edge of a box. Both laws, both kinds of loops.
+// Friction on surfaces that bend: over the ridge of a roof and off the edge of a box. Both laws, both kinds of loops.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -20,7 +20,6 @@ protected:
         physics_rate_ = 100;
     }
 
-    /// Down beside the edge at the y axis, across it, and back.
     std::vector<Sample> cross(double height)
     {
         constexpr double away = 0.02; // m
@@ -34,9 +33,8 @@ protected:
             1.6);
     }
 
-    /// The force is the normal one of the place where the surface is felt, and at most mu times that along the surface.
-    ///
-    /// @param normal of the surface, at the place nearest to a point.
+    /// Expects a tangential force of at most mu times the normal one.
+    /// @param normal of the surface at the place nearest to a point.
     void expect_cone(const std::vector<Sample> &samples, const std::function<Vector3(const Vector3 &)> &normal) const
     {
         int sliding = 0;
@@ -54,10 +52,9 @@ protected:
         EXPECT_GT(sliding, static_cast<int>(samples.size()) / 4);
     }
 
-    /// From tick to tick, while it is pressed.
     void expect_no_jump(const std::vector<Sample> &samples) const
     {
-        const double spring = k * speed * (decoupled() ? 1.0 / 4000 : 1.0 / 1000); // N; by the hand's way in a tick
+        const double spring = k * speed * (decoupled() ? 1.0 / 4000 : 1.0 / 1000); // N; for the hand's travel in a tick
         for (std::size_t i = 1; i < samples.size(); ++i)
             if (samples[i].time > 0.45)
             {

@@ -1,4 +1,4 @@
-// Friction on a flat mesh is that of a box: the seams between its triangles are not felt.
+// Friction on a flat mesh equals that on a box: the seams between triangles have no effect.
 
 #include "tests/haptics/contact/contact_fixture.h"
 
@@ -9,7 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A flat surface of triangles.
 struct Grid
 {
     double cell;  ///< m
@@ -17,7 +16,7 @@ struct Grid
     double turn;  ///< rad; of the surface, about an oblique axis
 };
 
-constexpr double encoder = 3e-5; // m; the hand comes to places exactly above the seams
+constexpr double encoder = 3e-5; // m; its steps take the hand exactly above the seams
 
 class FrictionSeamTest : public testing::TestWithParam<Grid>
 {
@@ -27,7 +26,6 @@ protected:
         return Eigen::AngleAxisd(GetParam().turn, Vector3(1, 2, -0.5).normalized()).toRotationMatrix();
     }
 
-    /// Scrubs in curves, pressed.
     Vector3 hand(double seconds) const
     {
         const double down = std::clamp((seconds - 0.8) / 0.3, 0.0, 1.0);
@@ -73,7 +71,7 @@ TEST_P(FrictionSeamTest, IsNotFelt)
     const int cells = 2 * static_cast<int>(0.07 / grid.cell);
     MeshShape shape = grid_mesh(grid.cell * grid.scale, cells, cells);
     for (Vector3 &vertex : shape.vertices)
-        vertex = (turn() * vertex).cast<float>().cast<double>(); // as programs have them
+        vertex = (turn() * vertex).cast<float>().cast<double>(); // single precision, as programs have it
     const OdeMesh mesh(shape);
     const double on_mesh = largest_step([&](ProbeWorld &world) { mesh.add_to(world.space); });
     const double on_box = largest_step([&](ProbeWorld &world) {

@@ -1,4 +1,4 @@
-// Materials of single geoms, through all of the probe: both laws, in one thread and in two.
+// Materials of single geoms in a whole probe: both laws, in one thread and in two.
 
 #include "ode_predictive_space/haptics/touch.h"
 
@@ -30,7 +30,6 @@ protected:
     bool proxy_law() const { return std::get<0>(GetParam()); }
     bool decoupled() const { return std::get<1>(GetParam()); }
 
-    /// @param one_body whether the boxes belong to a body that does not move.
     void build(bool one_body)
     {
         for (const dGeomID box : {left_, right_})
@@ -65,7 +64,7 @@ protected:
         return std::make_shared<PenaltyLaw>();
     }
 
-    /// Comes down at the start, waits, and goes along x to the end, from 1.5 s on. @param speed m/s.
+    /// Comes down at `start`, waits, and from 1.5 s on moves along x to `end`. @param speed m/s.
     std::vector<RenderedTick> slide(double start, double end, double speed)
     {
         ScriptedDevice device([=](double seconds) -> Vector3 {
@@ -156,8 +155,8 @@ TEST_P(MaterialTest, StaticFrictionHoldsLongerAndSlidingIsFelt)
     EXPECT_NEAR(-sliding->force.x() / sliding->force.z(), 0.2, 1e-6);
 }
 
-// Without care it jumps by 1.2 N. The hand moves 0.1 mm per tick: 0.08 N while friction holds, and the force of 1.6 N may change by a
-// twentieth, another 0.08 N; the rest is for the planes of two threads.
+// Unblended, the force jumps by 1.2 N. The hand moves 0.1 mm per tick, which is 0.08 N while friction holds, and the force of
+// 1.6 N may change by a twentieth, another 0.08 N.
 TEST_P(MaterialTest, CrossingFromOneToTheOtherTheForceDoesNotJump)
 {
     constexpr double most = 0.15; // N per tick

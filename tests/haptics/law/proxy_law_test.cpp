@@ -21,7 +21,7 @@ Touch touch_of(std::uintptr_t object, const Vector3 &normal, double depth)
     return touch;
 }
 
-/// Up to that many touches that leave a point within reach: the deepest looks right at it.
+/// Touches that leave a point 5 mm from the tool free; the normal of the first points to it.
 std::vector<Touch> roomy_touches(RandomNumbers &random, int count)
 {
     const Vector3 free_point = 0.005 * random.direction();
@@ -67,7 +67,7 @@ TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
         TouchForces forces;
         law.forces(tool, touches, dt, forces);
 
-        // Karush, Kuhn and Tucker: necessary, and as the problem is convex, sufficient.
+        // The conditions of Karush, Kuhn and Tucker are necessary and, because the problem is convex, sufficient.
         const Vector3 offset = law.proxy() - tool.position;
         int carriers = 0;
         for (std::size_t touch = 0; touch < touches.size(); ++touch)
@@ -175,7 +175,7 @@ TEST(ProxyLaw, InAGrooveFrictionActsAlongItOnly)
     EXPECT_NEAR(forces[0].y(), forces[1].y(), 1e-12);
 }
 
-/// A plate of 4 mm that a point goes through from above; what ODE would say of it: the nearer side.
+/// ODE's contact of a point that enters a plate of 4 mm from above: on the nearer side.
 Touch touch_of_plate(double height, double top)
 {
     const double below_top = top - height, above_bottom = height - (top - 0.004);
@@ -195,7 +195,6 @@ TEST(ProxyLaw, IsNotPushedOutAtTheBackOfAThinObject)
         EXPECT_NEAR(forces[0].z(), 0.1 * tick, 1e-9);
         EXPECT_NEAR(law.proxy().z(), 0, 1e-12);
     }
-    // And out again at the top, where it ends as it began.
     for (int tick = 39; tick > 0; --tick)
     {
         tool.position.z() = -0.0001 * tick;

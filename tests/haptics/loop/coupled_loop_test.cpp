@@ -1,4 +1,4 @@
-// The single-threaded loop with a hand that feels the force: does it come to rest, can it be replayed.
+// The single-threaded loop with a hand that yields to forces: it comes to rest, and its runs can be replayed.
 
 #include "ode_predictive_space/haptics/loop.h"
 
@@ -15,7 +15,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A hand that wants to go 5 mm into the plane z = 0.
 Vector3 press(double seconds)
 {
     const double u = std::clamp((seconds - 1) / 0.5, 0.0, 1.0);
@@ -40,7 +39,7 @@ protected:
         return loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
     }
 
-    /// How much the hand still moves, up and down, in the last second of five on a wall; in metres.
+    /// m; vertical motion of the hand in the last of five seconds on a wall.
     double rest_motion(const VirtualDeviceSettings &hand, RenderSettings rendering)
     {
         ProbeWorld world;
@@ -64,7 +63,7 @@ protected:
     const OdeUse ode_;
     SimulatedClock clock_;
     NoticeList notices_;
-    double stiffness_ = 0; ///< N/m; that was used
+    double stiffness_ = 0; ///< N/m; as rendered
 };
 
 constexpr double at_rest = 0.00006; // m; two steps of the encoder
@@ -72,8 +71,8 @@ constexpr double at_rest = 0.00006; // m; two steps of the encoder
 constexpr double light_damping = 0.4;                    // N s/m
 constexpr double light_bound = 2 * light_damping * 1000; // N/m; 2 b / T
 
-/// A device with little damping, so that 2 b / T is below what it is said to render. What the hand that holds it adds is not
-/// counted on, as it may let go; here it does not.
+/// A device with so little damping that 2 b / T is below the stiffness that it states. The bound leaves out the damping of the
+/// grip, because a hand may let go; this one does not.
 VirtualDeviceSettings light_hand()
 {
     VirtualDeviceSettings settings;
@@ -112,11 +111,10 @@ TEST_F(CoupledLoopTest, AboveTheBoundStiffnessIsClampedAndThatIsTold)
 TEST_F(CoupledLoopTest, WithoutTheClampTheHandWouldShake)
 {
     VirtualDeviceSettings hand = light_hand();
-    hand.capabilities.max_stiffness = 0; // nobody knows
+    hand.capabilities.max_stiffness = 0; // unknown
     EXPECT_GT(rest_motion(hand, with_stiffness(10 * light_bound)), 10 * at_rest);
 }
 
-/// A wall to press on, and things to push.
 void furnish(ProbeWorld &world)
 {
     dCreatePlane(world.space, 0, 0, 1, 0);

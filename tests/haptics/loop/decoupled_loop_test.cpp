@@ -1,4 +1,4 @@
-// The loop of two threads, in simulated time, where both are one: the same in each run.
+// The loop of two threads in simulated time, where both run in one, so that all runs are alike.
 
 #include "ode_predictive_space/haptics/loop.h"
 
@@ -41,7 +41,7 @@ protected:
     NoticeList notices_;
 };
 
-/// What the device rendered, newtons times seconds, up to the end of the clock's time.
+/// N s; rendered by the device up to `end`.
 Vector3 impulse_of(const std::vector<LoggedWrite> &writes, double end)
 {
     Vector3 impulse = Vector3::Zero();
@@ -68,7 +68,6 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
         ProbeWorld world;
         const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0.01, -0.05}, 20);
         ScriptedDevice device([](double seconds) -> Vector3 {
-            // Rests, then strokes and knocks.
             const double t = std::max(0.0, seconds - 1);
             return {0.02 * std::sin(3 * t), 0, 0.03 - 0.035 * std::pow(std::sin(8 * t), 2)};
         });
@@ -77,15 +76,15 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
         const LoopSettings settings = this->settings(rates.servo, rates.physics, 3);
         HapticLoop loop(probe, settings);
         loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
-        world.step(1 / rates.physics); // what the hand got last is waiting
+        world.step(1 / rates.physics); // the hand's last impulse is pending
         const Vector3 impulse = impulse_of(log.writes(), clock_.now());
         EXPECT_GT(impulse.norm(), 0.5);
         EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
     }
 }
 
-// Each impulse reaches the scene before the step that it belongs to. Those that came a tick late were made up for by pulses: steps of 1.25 ms got
-// 0.5 to 1.6 times the force.
+// Each impulse reaches the scene before its step. Once, impulses came a tick late and were made up for by pulses: steps of
+// 1.25 ms got 0.5 to 1.6 times the force.
 TEST_F(DecoupledLoopTest, ASteadyForceReachesABodyEvenly)
 {
     for (const double physics : {300.0, 600.0, 800.0, 1000.0})
@@ -115,7 +114,7 @@ TEST_F(DecoupledLoopTest, ASteadyForceReachesABodyEvenly)
     }
 }
 
-/// Takes long now and then, so that the servo misses deadlines.
+/// Each 17th tick takes 0.6 ms, so that the servo misses deadlines.
 class SlowLaw : public ForceLaw
 {
 public:
@@ -182,11 +181,11 @@ TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
     EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
 }
 
-/// Hangs for 0.1 s once, as a law or as a recorder.
+/// A law or a recorder hangs once for 0.1 s.
 class HangingServoTest : public DecoupledLoopTest
 {
 protected:
-    /// @return how much of the impulse on the hand the body does not get.
+    /// @return the part of the impulse on the hand that the body does not get.
     double lost_momentum(double law_hangs_at, double recorder_hangs_at)
     {
         const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
@@ -228,7 +227,7 @@ TEST_F(HangingServoTest, MomentumIsKeptWhenTheGuardTakesTheForceFromALawThatHang
     EXPECT_LE(lost_momentum(1.9, never), 1e-9);
 }
 
-// The force was written just before: whose it was for these 5 ms is not looked at so closely.
+// The force was written just before the recorder hung; its division among objects is approximate for these 5 ms.
 TEST_F(HangingServoTest, LittleIsLostWhenItTakesItFromARecorderThatHangs)
 {
     EXPECT_LE(lost_momentum(never, 1.9), 1e-3);
@@ -261,7 +260,7 @@ TEST_F(DecoupledLoopTest, ABodyMayBeDestroyedWhileItIsPushed)
 {
     const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
     ScriptedDevice device([](double seconds) -> Vector3 {
-        return {0, 0, std::clamp(0.03 - (seconds - 1), 0.007, 0.03)}; // no jump: what it jumps into is not felt
+        return {0, 0, std::clamp(0.03 - (seconds - 1), 0.007, 0.03)}; // no jump: it would give no force
     });
     HapticProbe probe(device, world_.space, radius, with_stiffness(500));
     HapticLoop loop(probe, settings(4000, 1000, 2));

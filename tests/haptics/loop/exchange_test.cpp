@@ -9,7 +9,7 @@ namespace
 {
 constexpr int many = 200000;
 
-/// Half a value would show: all its numbers are the same.
+/// All its numbers are equal, so that half a value shows.
 struct Wide
 {
     std::array<int, 32> numbers{};

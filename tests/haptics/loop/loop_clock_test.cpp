@@ -29,7 +29,7 @@ TEST(MonotonicClock, SleepsUntilADeadlineAndNotLess)
     const double deadline = clock.now() + 0.003;
     clock.sleep_until(deadline);
     EXPECT_GE(clock.now(), deadline);
-    clock.sleep_until(deadline - 1); // at once
+    clock.sleep_until(deadline - 1);
 }
 
 TEST(MonotonicClock, ATaskHasAThreadOfItsOwnUntilItEnds)

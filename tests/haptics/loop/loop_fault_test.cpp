@@ -1,4 +1,4 @@
-// Whatever breaks while a loop runs, there is zero force soon, and a notice.
+// After any fault of a running loop the force is soon zero, and there is a notice.
 
 #include "tests/haptics/loop/loop_fixture.h"
 
@@ -73,7 +73,7 @@ TEST_P(LoopFaultTest, AStalledStepIsFoundSoonAfterTheNextOneWasDueAtLowRates)
     }
 }
 
-// It is run by the program, in the loop's callbacks, hence in the thread that hangs.
+// The program runs the second probe in the loop's callbacks, hence in the thread that hangs.
 class SecondProbe : public testing::TestWithParam<bool>
 {};
 
@@ -185,7 +185,7 @@ TEST_P(LoopFaultTest, ADeviceThatIsLostAfterItsDriverHungGetsItsZero)
     scripted_.before_read = [&] {
         if (clock_.now() >= pressed_after && answered_at == 0)
         {
-            clock_.advance(0.0072); // the guard wants the device, and finds it taken
+            clock_.advance(0.0072); // the guard finds the device busy
             answered_at = clock_.now();
             throw DeviceError(DeviceFault::lost, "the device is gone");
         }

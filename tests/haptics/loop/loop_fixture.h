@@ -17,9 +17,9 @@
 namespace ode_predictive_space::haptics
 {
 constexpr double spring = 800;        // N/m
-constexpr double depth = 0.004;       // m; how deep it goes into the plane
-constexpr double grace = 0.010;       // s; after that there must be no force
-constexpr double pressed_after = 1.8; // s; from then on the force is there in full
+constexpr double depth = 0.004;       // m; depth of the probe in the plane
+constexpr double grace = 0.010;       // s; longest time from a fault to zero force
+constexpr double pressed_after = 1.8; // s; the force is complete from here on
 
 inline RenderSettings usual_rendering()
 {
@@ -33,7 +33,6 @@ inline Vector3 press_down(double seconds)
     return {0, 0, 0.05 + u * u * u * (10 + u * (-15 + 6 * u)) * (radius - depth - 0.05)};
 }
 
-/// A loop in simulated time over a plane, with a hand that presses on it. Of the two kinds.
 class HapticLoopTest : public testing::TestWithParam<bool>
 {
 protected:
@@ -73,7 +72,7 @@ protected:
                 }};
     }
 
-    /// The fault came at this time, when the force was there: it was gone soon after, and never came back until then.
+    /// Expects the full force before the fault, and zero from soon after it to `until`.
     void expect_zero_force_after(double fault, double until)
     {
         EXPECT_NEAR(log_.force_at(fault - 0.001).z(), spring * depth, 1e-9) << "it was there before";
@@ -84,7 +83,7 @@ protected:
     SimulatedClock clock_;
     ProbeWorld world_;
     NoticeList notices_;
-    ScriptedDevice::Path path_ = &press_down; ///< of the hand
+    ScriptedDevice::Path path_ = &press_down;
     ScriptedDevice scripted_;
     FaultyDevice device_;
     WriteLog log_;
@@ -92,7 +91,7 @@ protected:
     std::unique_ptr<HapticLoop> loop_;
 };
 
-/// A law that does something besides.
+/// A penalty law that also calls a function of the test.
 class TroubledLaw : public ForceLaw
 {
 public:

@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A guard of a device that pushes with 1 N.
 class LoopGuardTest : public testing::Test
 {
 protected:
@@ -73,7 +72,6 @@ TEST_F(LoopGuardTest, ADeviceThatTakesNoZeroIsClosedAndToldOf)
     EXPECT_NE(notices_.text(NoticeKind::guard).find("the plug has been pulled"), std::string::npos);
 }
 
-/// A driver that hangs once in a write.
 class HangingDriver : public FaultyDevice
 {
 public:
@@ -119,7 +117,7 @@ TEST_F(LoopGuardTest, ASinkThatWaitsDoesNotKeepItFromWatching)
     EXPECT_EQ(force_meanwhile, 0);
 }
 
-/// A clock of the program, by the time of day, say. Sleeps by it are as long as it says.
+/// A clock that the program may set, such as the time of day. Sleeps last until its time.
 class ResetClock : public MonotonicClock
 {
 public:
@@ -147,7 +145,7 @@ TEST_F(LoopGuardTest, TakesTheForceWhenTheClockGoesBack)
     while (!taken && machine.now() < begin + 10) // some 20 ms on an idle machine
     {
         MonotonicClock().sleep_until(machine.now() + 0.01);
-        clock.offset = clock.offset - 3600; // again and again: the guard's thread may not have begun to look
+        clock.offset = clock.offset - 3600; // repeatedly: the guard's thread may not have started
         taken = gate_.notice_closing();
     }
     clock.offset = 0;

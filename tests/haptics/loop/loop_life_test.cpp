@@ -1,4 +1,4 @@
-// What goes while a loop runs, two loops on one probe, and exceptions that come through ODE's spaces.
+// Destruction during a loop, two loops on one probe, and exceptions that pass through ODE's spaces.
 
 #include "ode_predictive_space/haptics/touch_sensor.h"
 #include "tests/haptics/loop/loop_fixture.h"
@@ -35,7 +35,7 @@ TEST_P(LoopLifeTest, ASecondLoopOnAProbeIsRefusedWhileTheFirstRuns)
     EXPECT_NO_THROW(HapticLoop(*probe_, settings())) << "when it has ended";
 }
 
-/// On the machine's clock: something is destroyed by another thread. The loop has no end of its own.
+/// On the machine's clock, another thread destroys the loop or its probe. The loop's duration is unlimited.
 class LoopLifeThreadsTest : public testing::TestWithParam<bool>
 {
 protected:
@@ -48,7 +48,7 @@ protected:
         loop_ = std::make_unique<HapticLoop>(*probe_, settings);
     }
 
-    /// @return whether the loop had ended when this had been done.
+    /// @return whether the loop had ended when `destroy` returned.
     bool ended_by(const std::function<void()> &destroy)
     {
         HapticLoop &loop = *loop_;
@@ -108,13 +108,13 @@ TEST_P(LoopLifeDeathTest, WhatIsDestroyedInItsOwnLoopEndsWithAMessage)
                  "haptic loop was destroyed while its loop was running");
 }
 
-/// In all of ODE's spaces and the predictive one; the second parameter: whether the program calls safe_collide().
+/// Covers ODE's spaces and the predictive one. The second parameter: whether the program calls safe_collide().
 class ThrowingCallbackTest : public testing::TestWithParam<std::tuple<bool, bool>>
 {
 protected:
     static void throw_near(void *, dGeomID, dGeomID) { throw std::runtime_error("near callback"); }
 
-    // ODE's own stay locked and can never be destroyed. Here a search for leaks finds them.
+    // ODE's own spaces stay locked and can never be destroyed. The list keeps them reachable for leak checks.
     static std::vector<dSpaceID> &locked_spaces()
     {
         static auto *const spaces = new std::vector<dSpaceID>;

@@ -1,4 +1,4 @@
-// What a loop tells: when, how often, and by which clock. Of both kinds.
+// The notices of both kinds of loops: their times and their number.
 
 #include "tests/haptics/loop/loop_fixture.h"
 
@@ -11,7 +11,6 @@ namespace
 class LoopNoticeTest : public HapticLoopTest
 {
 protected:
-    /// The notices of watchdog and guard.
     std::vector<Notice> of_stalls() const
     {
         std::vector<Notice> stalls;
@@ -21,7 +20,7 @@ protected:
         return stalls;
     }
 
-    /// Hangs for 60 ms in a step at each of these times, seconds after the loop's beginning.
+    /// Hangs for 60 ms in a step at each of these times; s, from the start of the loop.
     LoopReport run_with_stalls(std::vector<double> times)
     {
         make();
@@ -47,7 +46,7 @@ TEST_P(LoopNoticeTest, OneStallIsToldOfOnce)
 
 TEST_P(LoopNoticeTest, AllNoticesHaveSimulatedTime)
 {
-    clock_.advance(1000); // the clock's time is another one
+    clock_.advance(1000); // the clock's time differs from the simulated one
     device_.break_at(2.5, Breakage::lost);
     run_with_stalls({1, 2.2});
     loop_->stop();
@@ -61,7 +60,7 @@ TEST_P(LoopNoticeTest, AllNoticesHaveSimulatedTime)
     EXPECT_NEAR(of_stalls()[1].time, 2.2, 0.1);
 }
 
-// At most one notice a second on each cause; other causes, of the same kind and of another one, do not wait.
+// Each cause has at most one notice per second; other causes, of the same kind or another, do not wait.
 TEST_P(LoopNoticeTest, ACauseThatComesAgainIsToldOnceASecondAndANewOneAtOnce)
 {
     RenderSettings rendering = usual_rendering();

@@ -32,7 +32,7 @@ TEST_P(HapticLoopTest, RendersAtItsRateForItsDuration)
     EXPECT_TRUE(log_.writes().back().wrench.force.isZero(0)) << "at the end";
 }
 
-// A space that tests shapes would read a mesh little by little beside the probe, and report its pairs meanwhile.
+// A space that tests shapes would read a mesh in parts while the probe runs, and report its pairs meanwhile.
 TEST_P(HapticLoopTest, NoTickWaitsForTheMeshesOfTheSpace)
 {
     dPredictiveSpaceSetProximity(world_.space, dPredictiveProximityShape);
@@ -78,7 +78,7 @@ TEST_P(HapticLoopTest, TheSameRunTwiceIsTheSame)
 
 TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
 {
-    const dGeomID broken = add_broken_geom(world_.space); // told of once a second
+    const dGeomID broken = add_broken_geom(world_.space); // reported once a second
     make();
     double last = -1;
     probe_->set_recorder([&](const RenderedTick &tick) {
@@ -220,7 +220,7 @@ TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
         if (clock_.now() >= 2.9985 && !stalled)
         {
             stalled = true;
-            clock_.advance(0.0072); // the guard wants the device, and finds it taken
+            clock_.advance(0.0072); // the guard finds the device busy
         }
     };
     loop_->run(work());

@@ -1,4 +1,4 @@
-// The loop on the machine's clock, with its threads: for ThreadSanitizer, and for what a simulated clock cannot show.
+// The loop and its threads on the machine's clock: for ThreadSanitizer, and for behaviour that a simulated clock cannot show.
 
 #include "ode_predictive_space/haptics/loop.h"
 
@@ -21,7 +21,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Tells its force to any thread.
+/// Any thread may read its force.
 class WatchedDevice : public ScriptedDevice
 {
 public:
@@ -42,10 +42,9 @@ public:
     std::atomic<double> force{0}; ///< N
 };
 
-/// Simulated seconds after which a loop ends that waits for what never comes. On a busy machine the probe touches again and again.
+/// s, simulated; the end of a loop whose condition never holds. On a busy machine the probe touches repeatedly until then.
 constexpr double long_enough = 60;
 
-/// Forces at once, so that a test need not wait.
 RenderSettings without_ramp()
 {
     SafetyLimits limits = SafetyLimits::of(desktop_capabilities());
@@ -58,7 +57,8 @@ RenderSettings without_ramp()
 class LoopThreadsTest : public testing::Test
 {
 protected:
-    // Presses once a second: where a busy machine delays the loop, the force is dropped, and comes back with the next press alone.
+    // The hand presses once a second: when a busy machine delays the loop, the force is dropped, and returns only with the next
+    // press.
     LoopThreadsTest()
         : device_([](double seconds) -> Vector3 {
               const double phase = std::fmod(seconds, 1);
@@ -182,8 +182,7 @@ TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
     }
 }
 
-/// While the servo slides over a mesh, the scene gives other data to it, changes its triangles in place, destroys and makes
-/// it anew.
+/// While the servo slides over a mesh, the scene replaces its data, changes its triangles in place, and recreates it.
 TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
 {
     const RidgeShape ridges;

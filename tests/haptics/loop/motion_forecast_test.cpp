@@ -9,7 +9,7 @@ namespace
 {
 constexpr double node = 0.01; // s
 
-/// A body of 2 kg without moments of inertia to speak of, touched at one place.
+/// A body of 2 kg that pushes do not turn, touched at one place.
 class MotionForecastTest : public testing::Test
 {
 protected:

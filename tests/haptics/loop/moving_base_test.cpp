@@ -13,7 +13,7 @@ using MovingBase = HapticProbeTest;
 
 constexpr double way = 0.045;     // m
 constexpr double speed = 0.02;    // m/s
-constexpr double in_wall = 0.005; // m; so far the probe would be in the wall at the end
+constexpr double in_wall = 0.005; // m; final depth of the probe in the wall
 
 double base_at(double seconds)
 {

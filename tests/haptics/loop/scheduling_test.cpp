@@ -1,4 +1,4 @@
-// What the system grants and refuses. Each test is a process of its own, which may give its rights away.
+// Rights that the system grants or refuses. Each test runs in a separate process, which may drop its rights.
 
 #include "ode_predictive_space/haptics/loop/scheduling.h"
 
@@ -23,10 +23,10 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Sanitizers answer mlock() and its kin by themselves, and lock nothing.
+/// Sanitizers intercept mlock() and its relatives, and lock nothing.
 constexpr bool locks_are_real = !is_sanitized;
 
-/// Whether this is so in a child of this process that has no right to real-time priority, nor to locked memory.
+/// Whether the claim holds in a child process without the rights to real-time priority and locked memory.
 bool holds_without_rights(const std::function<bool()> &claim)
 {
     const pid_t child = fork();
@@ -89,7 +89,7 @@ TEST(Scheduling, TextsTellWhatWasGrantedAndTheRemedyForWhatWasNot)
     EXPECT_LT(outcome.text().size(), Notice().text.size()) << "or a notice would cut it off";
 }
 
-/// In kB, as the system tells it.
+/// kB; from the system's status file.
 long locked_memory()
 {
     std::ifstream status("/proc/self/status");

@@ -1,4 +1,4 @@
-// How often the scene is stepped, by how long its steps take: made-up durations, in simulated time.
+// The number of scene steps, for made-up durations of steps in simulated time.
 
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 
@@ -47,7 +47,7 @@ TEST_F(StepBudgetTest, ALongStepIsForgottenSlowly)
     EXPECT_EQ(budget_.affordable(period), 1) << "a long one counts at once";
 }
 
-/// How often a scene at 60 Hz is stepped in a period at most, when a step takes a part of it.
+/// The largest number of steps per period of a scene at 60 Hz, if a step takes this part of the period.
 int steps_per_period(const CouplingCase &scenario, double part)
 {
     constexpr double rate = 60;

@@ -1,4 +1,4 @@
-// A hand that reaches farther than its device, with the clutch, in a scene with walls.
+// With the clutch, a hand reaches farther than its device, in a scene with walls.
 
 #include "ode_predictive_space/haptics/probe.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
@@ -17,7 +17,7 @@ double smooth(double u)
     return u * u * (3 - 2 * u);
 }
 
-/// Forwards by this much in 0.4 s of each second, and back while the clutch is held. The first second is rest.
+/// Moves forwards by `stroke` in 0.4 s of each second, and back while the clutch is held, after a second of rest.
 class RatchetingDevice : public ScriptedDevice
 {
 public:
@@ -37,14 +37,14 @@ protected:
     }
 };
 
-/// The hand goes into a wall of 5 cm by strokes of 4 mm, and through it. It stands on the floor meanwhile.
+/// Strokes of 4 mm take the hand deeper and deeper into a wall of 5 cm.
 TEST_F(ClutchTest, AWallHoldsAfterEachReleaseAndSoDoesTheNextOne)
 {
     for (const bool proxy : {true, false})
     {
         ProbeWorld world;
         world.add_box({0.05, 1, 1}, {0.035, 0, 0});
-        world.add_box({0.02, 1, 1}, {0.09, 0, 0}); // 5 mm from the first to the second
+        world.add_box({0.02, 1, 1}, {0.09, 0, 0}); // 2 cm behind the first
         RatchetingDevice device(0.004);
         RenderSettings settings = proxy ? RenderSettings() : with_stiffness(500);
         settings.clutch_button = 0;
@@ -57,7 +57,7 @@ TEST_F(ClutchTest, AWallHoldsAfterEachReleaseAndSoDoesTheNextOne)
             const int in_stroke = tick % 1000;
             const double force = probe.last_tick().force.x();
             ASSERT_LE(force, 1e-9) << tick;
-            if (in_stroke < 500 || in_stroke > 965) // above that, the hand pulls the clutch, and the force goes
+            if (in_stroke < 500 || in_stroke > 965) // in between, the clutch is held and the force is zero
             {
                 ASSERT_GE(force, before - 500 * 3e-5 - 7.9 / 500 - 1e-9) << tick << ": it comes evenly";
             }
@@ -71,7 +71,7 @@ TEST_F(ClutchTest, AWallHoldsAfterEachReleaseAndSoDoesTheNextOne)
     }
 }
 
-/// A floor that is touched at its surface holds in full while the wall that the tool is deep in rises.
+/// A floor that is touched after the release holds in full while the force of the wall around the tool rises.
 TEST_F(ClutchTest, OnlyWhatTheToolIsInAtTheReleaseRises)
 {
     ProbeWorld world;
@@ -79,7 +79,7 @@ TEST_F(ClutchTest, OnlyWhatTheToolIsInAtTheReleaseRises)
     const Vector3 deep(0.02, 0, 0.1);
     ScriptedDevice device([&](double seconds) -> Vector3 {
         if (seconds < 1)
-            return deep - Vector3(0.025 - 0.012 * smooth(seconds), 0, 0); // 7 mm outside, to 2 mm in
+            return deep - Vector3(0.025 - 0.012 * smooth(seconds), 0, 0); // from 10 mm outside to 2 mm inside
         if (seconds < 1.7)
             return deep - Vector3(0.013, 0, 0);
         return deep - Vector3(0.013, 0, 0.008 * smooth((seconds - 1.7) / 0.2)); // sinks onto the floor
@@ -99,7 +99,7 @@ TEST_F(ClutchTest, OnlyWhatTheToolIsInAtTheReleaseRises)
     EXPECT_NEAR(probe.last_tick().force.x() / pressing, 0.46, 0.03) << "the wall";
 }
 
-/// A tool body that a wall held off the tool meanwhile is drawn to it gradually.
+/// A wall holds the tool body off the tool. After the release, the coupling draws the body to it gradually.
 TEST_F(ClutchTest, ACouplingComesBackGradually)
 {
     ProbeWorld world;
@@ -126,7 +126,7 @@ TEST_F(ClutchTest, ACouplingComesBackGradually)
     EXPECT_NEAR(before, 500 * 0.004, 0.2);
 }
 
-// While both rose, each of them pushed as if the other were not there: twice the force, which fell by half at the end.
+// Once, both tiles pushed separately while their forces rose: twice the force, which fell by half at the end.
 TEST_F(ClutchTest, TwoFlushTilesRiseAsOneFloor)
 {
     ProbeWorld world;

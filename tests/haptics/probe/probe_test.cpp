@@ -48,7 +48,6 @@ TEST_F(HapticProbeTest, TheSameWhileTheForceIsClampedAndSlewed)
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
     NoticeList notices;
     ScriptedDevice device([](double seconds) -> Vector3 {
-        // Two blows: fast in, fast out.
         return {0, 0, seconds < 1 ? 0.03 : 0.03 - 0.06 * std::pow(std::sin(32 * (seconds - 1)), 2)};
     });
     HapticProbe probe(device, world.space, radius, with_stiffness(1000, notices.sink()));
@@ -115,7 +114,7 @@ TEST_F(HapticProbeTest, NestedSpacesAreThere)
 TEST_F(HapticProbeTest, TheDeepestContactOfATriangleMeshCounts)
 {
     ProbeWorld world;
-    // Two triangles side by side, one of them lower on its far side: a roof that is highest at x = 0.
+    // Two triangles form a roof that is highest at x = 0.
     const double vertices[] = {0, -1, 0, 0, 1, 0, 1, 0, -0.5, -1, 0, -0.5};
     const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3};
     const dTriMeshDataID data = dGeomTriMeshDataCreate();
@@ -171,7 +170,7 @@ TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
     world.run(probe, 100);
     ASSERT_EQ(probe.touches().size(), 1U);
 
-    // Between the collision and the reaction.
+    // The body is destroyed between the collision and the reaction.
     probe.begin(2);
     world.collide(probe);
     dGeomDestroy(dBodyGetFirstGeom(second));

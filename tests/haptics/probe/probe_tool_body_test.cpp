@@ -1,4 +1,4 @@
-// A probe that holds a tool body, and what a probe tells of what it will meet.
+// Probes that hold a tool body, and the encounters that a probe predicts.
 
 #include "ode_predictive_space/haptics/probe.h"
 
@@ -40,7 +40,6 @@ TEST_F(HapticProbeTest, WhatTheHandGetsTheToolLoses)
     EXPECT_LE((impulse + momentum_of(tool)).norm(), 1e-9 * impulse.norm());
 }
 
-/// A handle that stands still, but can be turned.
 class TurnedDevice : public ScriptedDevice
 {
 public:
@@ -56,7 +55,7 @@ protected:
     }
 };
 
-/// A frame in which up is z turns the handle by a quarter turn, and a body is made without one.
+/// A frame in which z points up turns the handle by 90 degrees; a new body is not turned.
 TEST_F(HapticProbeTest, AToolBodyTurnedOtherwiseThanTheHandleIsHeldAsItIs)
 {
     for (const bool placed_again : {false, true})
@@ -172,7 +171,7 @@ TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
     EXPECT_LE(encounters[0].seconds, 0.01 / speed) << "never late";
 }
 
-// At most 64 of them were told, so that what was touched next was missing from the list.
+// Once, at most 64 encounters were listed, so that the next touched object could be missing.
 TEST_F(HapticProbeTest, TellsAllThatIsNear)
 {
     ProbeWorld world;

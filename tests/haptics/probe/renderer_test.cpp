@@ -12,7 +12,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A wall below z = 0, as a scene would tell it.
+/// Renders a tick with a wall below z = 0.
 void feel_wall(Renderer &renderer, double time)
 {
     renderer.read(time, time);
@@ -54,7 +54,7 @@ TEST(Renderer, AllocatesNothingWhileTheDeviceAnswers)
     EXPECT_GT(most, 1);
 }
 
-/// Drives the hand on in its direction, as no passive thing does.
+/// An active law: it drives the hand on in its direction.
 class DrivingLaw : public ForceLaw
 {
 public:
@@ -86,7 +86,6 @@ TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
     }
 }
 
-/// The same force in free space, whatever the hand does.
 class ConstantLaw : public ForceLaw
 {
 public:
@@ -102,7 +101,7 @@ public:
     Vector3 force = Vector3::Zero();
 };
 
-/// Ten times the force that is rendered is requested while the hand pushes in. The hand's work is by the force that it felt, so that a
+/// While the hand pushes in, the law requests ten times the rendered force. The hand works against the rendered one, so that a
 /// softer force can give back no more than that.
 TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
 {
@@ -121,7 +120,7 @@ TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
     settings.safety->ramp_time = 0;
     settings.safety->engage_force = 100;
     Renderer renderer(device, settings);
-    double least = infinity; // N; of the last part of the way out
+    double least = infinity; // N; in the last part of the retreat
     for (int tick = -start; tick < 290; ++tick)
     {
         const double time = dt * (tick + start);
@@ -186,7 +185,7 @@ TEST(Renderer, AClutchReleasedInsideOfSomethingLetsItsForceRiseWithinHalfASecond
     }
 }
 
-/// A loop hangs, its guard takes the force away, and the hand leaves the wall before the loop goes on.
+/// A loop hangs, its guard takes the force away, and the hand leaves the wall before the loop continues.
 TEST(Renderer, NothingIsLeftOfAForceThatWasTakenAway)
 {
     ScriptedDevice device([](double seconds) -> Vector3 {
@@ -205,7 +204,7 @@ TEST(Renderer, NothingIsLeftOfAForceThatWasTakenAway)
     }
 }
 
-/// A driver that returns nonsense for a moment, as in a wireless device: the hand still presses.
+/// A driver, such as that of a wireless device, returns nonsense for a moment while the hand presses.
 TEST(Renderer, AfterAMomentOfNonsenseTheForceRisesFromZero)
 {
     bool nonsense = false;
@@ -316,7 +315,7 @@ TEST(Renderer, ASlowProgramSaysSoAndFeelsNothing)
     Renderer renderer(device, settings);
     for (int tick = 0; tick < 100; ++tick)
     {
-        feel_wall(renderer, 0.05 * tick); // 20 Hz, where 1000 Hz were promised
+        feel_wall(renderer, 0.05 * tick); // 20 Hz instead of the stated 1000 Hz
         EXPECT_TRUE(renderer.last_tick().force.isZero(0));
     }
     EXPECT_FALSE(told.empty());

@@ -1,4 +1,4 @@
-// Two probes in one scene: each touches the tool of the other, and both hands feel the same force.
+// Two probes in one scene: each touches the tool of the other, and both hands get the same force.
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/probe.h"
@@ -16,7 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A program's near callback, as the guide has it.
 struct TwoProbeWorld
 {
     ProbeWorld world;
@@ -42,7 +41,7 @@ VirtualDevice hand_from(double side, double stroke = 0.01)
     });
 }
 
-/// What both hands feel from the third second on.
+/// The forces on both hands from the third second on.
 struct Balance
 {
     double most_difference = 0; ///< N; between one force and the opposite of the other
@@ -96,7 +95,7 @@ TEST_F(TwoProbes, PressedOnEachOtherFeelTheSameForceInEitherOrder)
     }
 }
 
-/// The first is run by a loop, of one thread or two; the program runs the second in its callbacks.
+/// A loop of one thread or two runs the first probe; the program runs the second in the loop's callbacks.
 TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
 {
     for (const bool decoupled : {false, true})
@@ -127,7 +126,7 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
     }
 }
 
-/// Two threads that take turns, each with its own clock: neither is ahead of the other by more than a step.
+/// Clocks of two threads that alternate: neither gets ahead by more than a step.
 class ClockInTurns : public SimulatedClock
 {
 public:
@@ -140,7 +139,7 @@ public:
 
     ClockInTurns(Turns &turns, int number) : turns_(turns), number_(number) {}
 
-    /// The guard of a loop watches from a thread of its own whether a program's clock goes back.
+    /// The loop's guard calls this in another thread, to see whether the clock goes back.
     double now() const override
     {
         return std::this_thread::get_id() == thread_ ? SimulatedClock::now() : shown_.load();
@@ -153,7 +152,7 @@ public:
         shown_ = SimulatedClock::now();
     }
 
-    /// The loop of this clock has ended: the other one goes on alone.
+    /// Ends the alternation, because the loop of this clock has ended.
     void end()
     {
         const std::lock_guard<std::mutex> lock(turns_.mutex);
@@ -176,14 +175,12 @@ private:
     Turns &turns_;
     int number_;
     const std::thread::id thread_ = std::this_thread::get_id(); ///< of the loop
-    std::atomic<double> shown_{0};                              ///< s; to other threads
+    std::atomic<double> shown_{0};                              ///< s; for other threads
 };
 
-/// Each of two threads runs a loop with one of two probes.
 class TwoLoops : public HapticProbeTest
 {
 protected:
-    /// @param advance of a loop, by its number.
     void run(int number, LoopSettings settings, const std::function<void(HapticLoop &, int)> &advance)
     {
         settings.scene = &mutex_;
@@ -192,7 +189,6 @@ protected:
         loop.run({[&] { scene_.collide(); }, [&](double) { advance(loop, number); }});
     }
 
-    /// @param run_loop in both threads, with the number of the loop.
     static void in_two_threads(const std::function<void(int)> &run_loop)
     {
         std::thread other([&] {
@@ -238,7 +234,7 @@ TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
     }
 }
 
-// By the wall clock: for ThreadSanitizer, too.
+// Runs by the wall clock, which also suits ThreadSanitizer.
 TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
 {
     for (const bool decoupled : {false, true})
@@ -258,7 +254,7 @@ TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
         in_two_threads([&](int number) {
             LoopSettings settings;
             settings.decoupled = decoupled;
-            settings.duration = 60; // simulated; long before, both have felt each other
+            settings.duration = 60; // simulated; both touch each other long before
             run(number, settings, [&](HapticLoop &loop, int which) {
                 requested[which] = loop.latest().requested.x();
                 felt = felt || (requested[0] < -0.1 && requested[1] > 0.1);
@@ -270,7 +266,7 @@ TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
     }
 }
 
-/// Its search region grows far beyond the tool while that is pressed into a wall.
+/// The search region of the first probe grows far beyond its tool, which is pressed into a wall.
 TEST_F(TwoProbes, OneThatIsFarFromTheToolOfTheOtherFeelsNothingOfIt)
 {
     TwoProbeWorld scene;

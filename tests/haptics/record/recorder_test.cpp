@@ -75,7 +75,7 @@ TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
         expect_equal(recording.ticks[i], ticks[i]);
 }
 
-/// Each write to this file fails as on a full disk.
+/// Each write to /dev/full fails as on a full disk.
 TEST(Recorder, OnAFullDiskSaysSoFromTheNextTickOn)
 {
     for (const Flush flush : {Flush::by_caller, Flush::by_itself})

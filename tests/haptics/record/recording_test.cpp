@@ -9,7 +9,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Not root any more, for whom no permission is missing.
+/// Gives up the superuser's rights, which need no permission.
 class Unprivileged
 {
 public:
@@ -47,7 +47,6 @@ Problem problem_with(const std::string &file)
     return {DeviceFault::failed, ""};
 }
 
-/// The content is refused, with a message about the line.
 void expect_bad(const std::string &content, int line, const std::string &complaint)
 {
     const TemporaryFile file(content);

@@ -25,7 +25,6 @@ Quaternion turn(double t)
     return Quaternion(Eigen::AngleAxisd(2 * t, Vector3(0, 0.6, 0.8)));
 }
 
-/// A smooth motion, at every `period` seconds from `start` on, without velocities.
 Recording smooth_run(double start, double period, int count)
 {
     Recording recording;
@@ -41,7 +40,6 @@ Recording smooth_run(double start, double period, int count)
     return recording;
 }
 
-/// A hand that presses on a wall, by a law with damping.
 Vector3 wall_force(const DeviceState &state)
 {
     const double depth = -state.position.x();

@@ -1,4 +1,4 @@
-// A device that is late: how late it is enters what is rendered, so that the hand does not shake.
+// The delay of a device reduces the rendered stiffness, so that the hand does not shake.
 
 #include "ode_predictive_space/haptics/device/device_motion.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
@@ -15,7 +15,7 @@ constexpr double target_depth = 0.01; // m; of the hand's target, below the floo
 class DelayTest : public testing::TestWithParam<bool>
 {
 protected:
-    /// @return m; how far the hand swings in the last second of ten, pressed on a floor.
+    /// @return m; swing of the hand in the last of ten seconds on a floor.
     double swing(int position_delay, int force_delay, const RenderSettings &wanted)
     {
         VirtualDeviceSettings hand;

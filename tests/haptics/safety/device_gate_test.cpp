@@ -38,7 +38,6 @@ TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
     EXPECT_EQ(device_.last_wrench().force.z(), 3);
 }
 
-/// Calls back from within the driver.
 class NosyDevice : public ScriptedDevice
 {
 public:
@@ -165,7 +164,7 @@ TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
     NosyDevice device;
     device.open();
     DeviceGate gate(device);
-    int inside = 0; // not atomic: the gate orders it, or ThreadSanitizer tells
+    int inside = 0; // not atomic: the gate orders it, or ThreadSanitizer reports a race
     bool crowded = false;
     device.inside = [&] {
         crowded = crowded || inside != 0;

@@ -1,4 +1,4 @@
-// A light grip on each known device: it must come to rest on a wall by the default law.
+// Under a light grip, each known device comes to rest on a wall with the default law.
 
 #include "ode_predictive_space/haptics/probe.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
@@ -11,7 +11,7 @@ namespace
 {
 using LightGrip = HapticProbeTest;
 
-/// N; by how much the force still changes after three seconds.
+/// N; range of the force from 4 s to 6 s.
 double swing_on_wall(const std::string &device_name, double press, double rate)
 {
     ProbeWorld world;

@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A gate that pushes, and is read in this thread.
 class PushingGate
 {
 public:
@@ -36,7 +35,7 @@ public:
 class OpenGatesTest : public ProgramEnds
 {
 protected:
-    /// The driver does this when the guard writes zero.
+    /// Calls `end` in the driver when the guard writes zero.
     ProgramEnd end_in_driver_of_guard(const std::function<void()> &end)
     {
         return end_of_pressing([&] {
@@ -79,7 +78,7 @@ TEST_F(OpenGatesTest, AGateThatIsRemovedIsLeftAlone)
     });
     for (int i = 0; i < 2000; ++i)
     {
-        // AddressSanitizer tells of a gate that is visited when it is gone.
+        // AddressSanitizer reports a visit to a destroyed gate.
         const auto first = std::make_unique<PushingGate>(force_);
         const auto second = std::make_unique<PushingGate>(second_force_);
     }

@@ -31,7 +31,6 @@ TEST(Passivity, ObservesWhatTheHandPutsIn)
 
 TEST(Passivity, DoesNothingToWhatIsPassive)
 {
-    // A hand that presses softly, a wall without delay, far below the bound.
     PassivityController controller(5);
     SimulatedHand hand;
     hand.damping = 2;
@@ -58,7 +57,7 @@ TEST(Passivity, AddsTheDampingThatTakesTheSurplusOutInOneTick)
     EXPECT_NEAR(force.x(), 1 - 0.4 * 0.5, 1e-12);
     controller.control(state_at(0.0001 + 0.5 * dt, 0.5), Vector3(0, 0, 0), dt);
     EXPECT_NEAR(controller.energy(), -0.0001 + 0.0001 - 1 * 0.5 * dt,
-                1e-12); // what the requested force did meanwhile remains
+                1e-12); // the work of the requested force remains
 }
 
 TEST(Passivity, DampsNoMoreThanItMay)
@@ -86,7 +85,6 @@ TEST(Passivity, ACreditEndsWithTheTouchADebtDoesNot)
     EXPECT_EQ(controller.energy(), 0);
 }
 
-/// A hand pressed on a wall that answers late, for ten seconds.
 struct LateWall
 {
     double swing_at_first, swing_in_the_end; // m; of one second each
@@ -126,7 +124,8 @@ TEST(Passivity, BoundsTheEnergyOfAWallThatAnswersLate)
     EXPECT_GT(controlled.least_energy, -0.01);
 }
 
-/// A force of one tick, and a motion of one tick along it: it is paid by the force that the delay puts there, and by no other.
+/// A force of one tick and a motion of one tick: the motion is charged to the force that acted `delay` ticks before, and to no
+/// other.
 TEST(Passivity, AMotionIsPaidByTheForceOfTheDelayBefore)
 {
     for (const int delay : {0, 1, 2, 5, PassivityController::most_delay})

@@ -1,4 +1,4 @@
-// What a device tells, and what a scene does, that cannot be: no force from it, and no more lost than must be.
+// Implausible states of a device and events of a scene give no force, and cost no more of it than necessary.
 
 #include "ode_predictive_space/haptics/renderer.h"
 
@@ -15,7 +15,6 @@ namespace
 {
 constexpr double stiffness = 500; // N/m
 
-/// Tells positions alone.
 class PositionsOnly : public ScriptedDevice
 {
 public:
@@ -42,7 +41,7 @@ class PlausibilityTest : public HapticProbeTest
 protected:
     PlausibilityTest() { dCreatePlane(world_.space, 0, 0, 1, 0); }
 
-    /// N; the most that the device gets from a time on.
+    /// N; the largest force on the device in this time.
     double most_force_after(ScriptedDevice &device, double from, double to)
     {
         HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
@@ -59,7 +58,6 @@ protected:
     NoticeList notices_;
 };
 
-/// Above the plane, and from 1.2 s on somewhere else.
 ScriptedDevice::Path jump_to(double height)
 {
     return [=](double seconds) -> Vector3 { return {0, 0, seconds < 1.2 ? 0.05 : height}; };
@@ -109,7 +107,6 @@ TEST_F(PlausibilityTest, DampingWorksWithADeviceThatTellsNoVelocity)
     EXPECT_NEAR(probe.last_tick().requested.z(), stiffness * depth + damping * speed, 0.01 * damping * speed);
 }
 
-/// Leans 2 mm into the plane from 1.5 s on.
 ScriptedDevice::Path lean()
 {
     return reach({0, 0, 0.05}, {0, 0, radius - 0.002});
@@ -136,7 +133,7 @@ TEST_F(PlausibilityTest, OneReadThatIsNotANumberDoesNotCostTheWall)
     }
 }
 
-/// Tells times that are not numbers from some time on.
+/// From 1.7 s on, the time of its states is not a number.
 class TimelessDevice : public FaultyDevice
 {
 public:
@@ -166,7 +163,7 @@ TEST_F(PlausibilityTest, ATimeThatIsNotANumberIsADeviceThatDoesNotAnswer)
 TEST_F(PlausibilityTest, AMaximumOfForceThatIsNotToldIsANotice)
 {
     Capabilities capabilities = desktop_capabilities();
-    capabilities.max_force = 0; // as in a new device that does not say
+    capabilities.max_force = 0; // as in a new device that does not state it
     ScriptedDevice device(lean(), capabilities);
     HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
     world_.run(probe, reach_ticks);
@@ -181,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, AppearingObjectTest, testing::Bool(), [](const te
     return std::string(law.param ? "Proxy" : "Penalty");
 });
 
-// 5 N in 0.5 s: 0.01 N per ms. Before, it was the limit of the change of force, 1.6 N per ms.
+// 5 N in 0.5 s are 0.01 N per ms. Once, only the limit of the change of force applied: 1.6 N per ms.
 TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
 {
     ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
@@ -193,8 +190,7 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
     ProbeWorld world;
     HapticProbe probe(device, world.space, radius, settings);
     world.run(probe, 1000);
-    world.add_box({0.2, 0.2, 0.02},
-                  {0, 0, -0.009}); // 1 mm of it above the middle of the probe, which is pushed out there
+    world.add_box({0.2, 0.2, 0.02}, {0, 0, -0.009}); // its top is 1 mm above the middle of the probe
     Vector3 before = Vector3::Zero();
     for (int tick = 0; tick < 600; ++tick)
     {
@@ -209,7 +205,6 @@ TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
 
 TEST_F(PlausibilityTest, WhatIsReachedBySlidingOrMovingDoesNotAppear)
 {
-    // From one box to the next at their seam, and into a wall at a speed near the limit.
     world_.add_box({0.1, 0.2, 0.1}, {-0.05, 0, 0});
     world_.add_box({0.1, 0.2, 0.1}, {0.05, 0, 0});
     ScriptedDevice device([](double seconds) -> Vector3 {
@@ -226,7 +221,7 @@ TEST_F(PlausibilityTest, WhatIsReachedBySlidingOrMovingDoesNotAppear)
     world_.run(probe, 1500);
 }
 
-/// Of the default law or one of 500 N/m: how stiff the plane is in the hand.
+/// N/m; stiffness of the plane in the hand.
 double stiffness_in_hand(Renderer &renderer)
 {
     const Material material = renderer.rendered(renderer.law().material());

@@ -1,4 +1,4 @@
-// Whatever goes wrong with a probe's device or contacts: zero force, and a notice.
+// Faults of a probe's device or contacts end with zero force and a notice.
 
 #include "tests/haptics/support/faulty_device.h"
 #include "tests/haptics/support/probe_fixture.h"
@@ -11,7 +11,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Everything in a fault: something that is felt, a device that can break, and what was said.
 class ProbeFaultTest : public HapticProbeTest
 {
 protected:
@@ -22,7 +21,6 @@ protected:
         add_shape(world_, Shape::plane);
     }
 
-    /// Until the force is there.
     void press(HapticProbe &probe)
     {
         world_.run(probe, reach_ticks);
@@ -105,7 +103,7 @@ void expect_no_force_without_a_geom(HapticProbe &probe, const ScriptedDevice &de
     EXPECT_TRUE(device.last_wrench().force.isZero(0));
 }
 
-// ODE crashed there, without a word.
+// Once, ODE crashed without a message.
 TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
 {
     for (const SpaceChoice choice : all_space_choices)

@@ -1,4 +1,4 @@
-// What a program that dies leaves on its devices.
+// The forces that a dying program leaves on its devices.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SAFETY_PROGRAM_END_FIXTURE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SAFETY_PROGRAM_END_FIXTURE_H
@@ -15,9 +15,9 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double felt = 0.1; // N; enough to know that the force is there
+constexpr double felt = 0.1; // N; larger forces count as present
 
-/// What the devices of another process render.
+/// The force of a device in another process.
 struct SharedForce
 {
     std::atomic<double> now{0};  ///< N
@@ -30,7 +30,7 @@ struct SharedForce
     }
 };
 
-/// In and out of the plane z = 0: a stall of the machine costs one touch.
+/// Moves in and out of the plane z = 0, so that a stall of the machine costs one touch only.
 inline Vector3 in_and_out(double seconds)
 {
     return {0, 0, 0.01 + 0.002 * std::cos(60 * seconds)};
@@ -55,7 +55,7 @@ public:
             after_write();
     }
 
-    std::function<void()> after_write; ///< within the driver; may be empty
+    std::function<void()> after_write; ///< called within the driver; may be empty
 
 private:
     SharedForce &force_;

@@ -1,4 +1,4 @@
-// Ends of a program that no destructor sees: there must be no force after them. Each is tried in a process of its own.
+// No force may remain after an end of the program that runs no destructors. Each end is tried in a separate process.
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
@@ -20,7 +20,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// How the probe is run.
 enum class RunKind
 {
     by_hand,
@@ -28,7 +27,6 @@ enum class RunKind
     two_threads
 };
 
-/// Where the program ends.
 enum class Place
 {
     near,
@@ -42,7 +40,6 @@ enum class Place
     clock
 };
 
-/// How.
 enum class Way
 {
     exit,
@@ -76,7 +73,7 @@ const char *name_of(Way way)
     return names[static_cast<std::size_t>(way)];
 }
 
-/// No exception of the standard library: what a device or a callback throws may be anything.
+/// A device or a callback may throw anything, not only standard exceptions.
 struct Trouble
 {};
 
@@ -97,7 +94,6 @@ void end_by(Way way)
     }
 }
 
-/// The machine's clock, with the program's own code in it.
 class OwnClock : public MonotonicClock
 {
 public:
@@ -113,7 +109,7 @@ private:
     std::function<void()> at_now_;
 };
 
-/// The usual law, with the program's own code in it, which says by how much too strong its forces are.
+/// A penalty law that multiplies its forces by a factor of the program.
 class OwnLaw : public ForceLaw
 {
 public:
@@ -135,11 +131,11 @@ private:
     std::function<double()> factor_;
 };
 
-/// A program that leans on a plane, and whose callbacks call back.
+/// A program that leans on a plane and reports each of its callbacks.
 class LeaningProgram
 {
 public:
-    using Callback = std::function<void(Place)>; ///< called in each place, from then on when the force is there
+    using Callback = std::function<void(Place)>; ///< called in each place while there is a force
 
     LeaningProgram(SharedForce &force, Callback callback)
         : force_(force), callback_(std::move(callback)), device_(force), clock_([this] { at(Place::clock); })
@@ -153,7 +149,7 @@ public:
     Device &device() { return device_; }
     ProbeWorld &world() { return world_; }
 
-    /// Half a second, or 20 by the machine's clock: a busy machine takes its time.
+    /// Runs half a second by hand, or up to 20 s by the machine's clock, because a busy machine is slow.
     void run(RunKind run)
     {
         HapticProbe probe(device_, world_.space, 0.01, rendering());
@@ -180,7 +176,7 @@ private:
         settings.notice = [this](const Notice &) { at(Place::notice); };
         settings.law = std::make_shared<OwnLaw>([this] {
             at(Place::law);
-            return force_.now > felt ? 1e6 : 1; // more than the device can render: worth a notice
+            return force_.now > felt ? 1e6 : 1; // above the device's maximum: worth a notice
         });
         return settings;
     }
@@ -217,14 +213,13 @@ private:
     OwnClock clock_;
 };
 
-/// A program leans on a plane; with the force there, it ends in a place.
 class LeaningProgramEnds : public ProgramEnds
 {
 protected:
     ProgramEnd end_in(RunKind run, Place place, const std::function<void()> &end)
     {
         return end_of_pressing([&] {
-            // The clock is asked by two threads. Only one of them may end the program: exit() in two at once has no defined outcome.
+            // Two threads read the clock. Only one may end the program, because exit() in two at once is undefined.
             std::atomic<std::thread::id> ending{};
             LeaningProgram program(force_, [&](Place here) {
                 std::thread::id first{};
@@ -279,7 +274,6 @@ INSTANTIATE_TEST_SUITE_P(Places, ProgramEndTest, testing::ValuesIn(all_end_place
     return std::string(name_of(std::get<0>(info.param))) + name_of(std::get<1>(info.param));
 });
 
-/// The parameter: how the probe is run.
 class ProgramEndRunTest : public LeaningProgramEnds, public testing::WithParamInterface<RunKind>
 {};
 
@@ -319,7 +313,7 @@ TEST_P(ProgramEndRunTest, WhatADeviceThrowsIsADevicesFaultWhateverItIs)
         const ProgramEnd end = end_in(GetParam(), place, [ended = false]() mutable {
             if (!std::exchange(ended, true))
                 throw Trouble();
-            std::exit(3); // with the force there again
+            std::exit(3); // with a force again
         });
         EXPECT_TRUE(end.exited_with(3)) << end.messages;
         expect_zero();

@@ -1,4 +1,4 @@
-// What must hold of the safety stage for every input.
+// Properties of the safety stage that hold for every input.
 
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/safety/safety_stage.h"
@@ -14,7 +14,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Numbers of every kind that a double can be.
 double any_number(RandomNumbers &random)
 {
     switch (random.below(12))
@@ -41,7 +40,6 @@ Vector3 any_vector(RandomNumbers &random, bool wild)
     return wild ? Vector3(any_number(random), any_number(random), any_number(random)) : random.in_cube(10);
 }
 
-/// What must hold of any two consecutive wrenches, whatever came in.
 struct Expectation
 {
     SafetyLimits limits;
@@ -54,7 +52,7 @@ struct Expectation
         ASSERT_LE(now.norm(), most * allowance);
         const double change = (now - last).norm();
         const bool slow = change <= rate * elapsed + 1e-12;
-        // Faster only towards zero: it is what there was, or what slew allows, made shorter.
+        // A faster change only shortens the wrench.
         const bool shorter = now.norm() <= last.norm() + 1e-12 && now.norm() <= most * allowance;
         ASSERT_TRUE(slow || shorter);
         ASSERT_LE(now.norm(), last.norm() + rate * elapsed + 1e-12);
@@ -110,7 +108,7 @@ TEST(SafetyStage, WhateverComesInWhatGoesOutIsSafe)
             expectation.check(last.torque, now.torque, limits.max_torque, limits.max_torque_rate);
             if (HasFatalFailure())
                 return;
-            // A step that is not slow has a fault or a falling allowance for a reason.
+            // A fast change has a fault or a falling allowance as its reason.
             const bool jumped = (now.force - last.force).norm() > limits.max_force_rate * expectation.elapsed + 1e-12;
             const SafetyReport &report = stage.report();
             EXPECT_TRUE(!jumped || report.did(SafetyAction::not_finite) || report.did(SafetyAction::too_fast) ||

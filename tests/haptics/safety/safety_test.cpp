@@ -32,7 +32,6 @@ Wrench wrench_of(double newtons, double newton_metres = 0)
     return wrench;
 }
 
-/// A stage in a loop of 1 kHz.
 struct Loop
 {
     explicit Loop(const SafetyLimits &limits) : stage(limits) {}
@@ -43,7 +42,7 @@ struct Loop
         return stage.limit(requested, Vector3(speed, 0, 0), time, allowance);
     }
 
-    /// Engaged, its ramp over, at that force.
+    /// Engages, and runs to the end of the ramp at this force.
     void settle(const Wrench &requested)
     {
         tick(Wrench());
@@ -172,7 +171,7 @@ TEST(SafetyStage, LetsGoOfAHandThatIsTooFastAndComesBackSlowly)
     for (int i = 0; i < 49; ++i)
         loop.tick(wrench_of(3));
     EXPECT_NEAR(loop.tick(wrench_of(3)).force.y(), 51 * 0.03, 1e-9);
-    EXPECT_EQ(loop.tick(wrench_of(3), 1e300).force.y(), 0); // whose square is too much for a double
+    EXPECT_EQ(loop.tick(wrench_of(3), 1e300).force.y(), 0); // its square overflows
 }
 
 TEST(SafetyStage, RampsInAfterTheStart)
@@ -213,7 +212,7 @@ TEST(SafetyStage, ADeviceThatCannotPushGetsNothing)
 {
     Capabilities mouse;
     mouse.force_axes = 0;
-    mouse.max_force = 5; // whatever it says
+    mouse.max_force = 5; // ignored
     Loop loop(SafetyLimits::of(mouse));
     loop.tick(Wrench());
     for (int i = 0; i < 1000; ++i)
@@ -238,15 +237,15 @@ TEST(SafetyStage, ADeviceWithoutTorqueGetsNoneAndThatIsNoEvent)
 TEST(SafetyStage, HoldsBackWhatTheWatchdogDoesNotAllow)
 {
     SafetyLimits limits = test_limits();
-    limits.max_force_rate = 100; // 80 ms from everything to nothing
+    limits.max_force_rate = 100; // 80 ms from the full force to zero
     Loop loop(limits);
     loop.settle(wrench_of(8));
-    for (int i = 4; i >= 0; --i) // faster than the slew limit, when it must be
+    for (int i = 4; i >= 0; --i) // a fall may exceed the slew limit
     {
         EXPECT_LE(loop.tick(wrench_of(8), 0, i / 5.0).force.y(), 8 * i / 5.0);
         EXPECT_TRUE(loop.stage.report().did(SafetyAction::held_back));
     }
-    EXPECT_NEAR(loop.tick(wrench_of(8), 0, 1).force.y(), 0.1, 1e-9); // but never so on the way back
+    EXPECT_NEAR(loop.tick(wrench_of(8), 0, 1).force.y(), 0.1, 1e-9); // a rise may not
     EXPECT_EQ(loop.tick(wrench_of(8), 0, -3).force.y(), 0);
 
     loop.settle(wrench_of(2));
@@ -254,7 +253,7 @@ TEST(SafetyStage, HoldsBackWhatTheWatchdogDoesNotAllow)
         loop.tick(wrench_of(2), 0, 0.25);
     EXPECT_NEAR(loop.tick(wrench_of(2), 0, 0.25).force.y(), 0.5, 1e-9); // a part of the force, not of the maximum
     for (int i = 0; i < 100; ++i)
-        loop.tick(wrench_of(2), 0, 7); // more than all is all
+        loop.tick(wrench_of(2), 0, 7); // clamped to 1
     EXPECT_EQ(loop.tick(wrench_of(2), 0, 7).force.y(), 2);
 }
 

@@ -11,18 +11,19 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A mass with a damper on one axis (x), device and hand together. Between two writes its force is constant: its motion is exact.
+/// Device and hand as a mass with a damper on the x axis. The motion is exact, because the force is constant between two
+/// writes.
 struct SimulatedHand
 {
     double mass = 0.1;    // kg
     double damping = 0.5; // N s/m
-    double push = 0;      // N; what the person adds
+    double push = 0;      // N; from the person
     double position = 0;  // m
     double velocity = 0;  // m/s
 
     void move(double force, double dt)
     {
-        const double last = (force + push) / damping; // m/s; the velocity in the end
+        const double last = (force + push) / damping; // m/s; final velocity
         const double decay = std::exp(-damping * dt / mass);
         position += last * dt + (velocity - last) * mass / damping * (1 - decay);
         velocity = last + (velocity - last) * decay;
@@ -37,7 +38,7 @@ struct SimulatedHand
     }
 };
 
-/// A wall in x < 0, answering with a delay of so many ticks.
+/// A wall in x < 0 that answers with a delay in ticks.
 class SimulatedWall
 {
 public:
@@ -56,7 +57,6 @@ private:
     std::deque<double> forces_;
 };
 
-/// From the smallest to the largest position of a number of ticks.
 class Swing
 {
 public:

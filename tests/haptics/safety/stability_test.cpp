@@ -68,7 +68,7 @@ TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
               "A stiffness of 900 N/m is above the 800 N/m that are passive at 1000 Hz with 0.4 N s/m in the "
               "device; 800 N/m is used.");
 
-    rendering.damping = 0.1; // takes its own from b
+    rendering.damping = 0.1; // is subtracted from b
     verdict = check_stability(desktop(), rendering);
     EXPECT_NEAR(verdict.stiffness, 600, 1e-9);
     EXPECT_EQ(verdict.damping, 0.1);
@@ -77,7 +77,7 @@ TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
     EXPECT_NEAR(check_stability(desktop(), rendering).stiffness, 200, 1e-9);
 
     rendering = rendering_of(3000);
-    rendering.device_damping = 100; // then the device's own limit is the lower one
+    rendering.device_damping = 100; // the device's own limit is lower
     EXPECT_EQ(check_stability(desktop(), rendering).stiffness, 1000);
 }
 
@@ -152,10 +152,10 @@ TEST(Stability, MoreDampingThanTheDeviceHasIsRefused)
     rendering.stiffness = 0;
     rendering.damping = 0;
     rendering.device_damping = 0;
-    EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::fine); // nothing at all is passive
+    EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::fine); // without stiffness and damping
 }
 
-/// How wide a hand swings that was pressed on a wall of that stiffness for a minute: in the last seconds.
+/// m; swing of a hand on a wall of this stiffness in the last six seconds of a minute.
 double swing_on_a_wall(double stiffness, double rate, int delay)
 {
     SimulatedHand hand;

@@ -28,7 +28,7 @@ TEST(StopRequest, SignalsThatEndAProgramAskForAStop)
         std::raise(number);
         EXPECT_TRUE(StopRequest::requested());
         EXPECT_EQ(StopRequest::signal(), number);
-        std::raise(number); // again: still there
+        std::raise(number); // a second signal is handled, too
         EXPECT_TRUE(StopRequest::requested());
     }
 }
@@ -42,7 +42,7 @@ TEST(StopRequest, GivesTheSignalsBackToTheProgram)
         std::raise(SIGINT);
         EXPECT_EQ(heard_by_the_program, 0);
     }
-    EXPECT_TRUE(StopRequest::requested()); // for whoever asks afterwards
+    EXPECT_TRUE(StopRequest::requested()); // the request outlives the object
     std::raise(SIGINT);
     EXPECT_EQ(heard_by_the_program, SIGINT);
 }
@@ -59,7 +59,7 @@ TEST(StopRequest, OfSeveralTheLastGivesTheSignalsBack)
         std::raise(SIGTERM);
         EXPECT_EQ(heard_by_the_program, 0);
         EXPECT_TRUE(StopRequest::requested());
-        const StopRequest later; // does not forget what was asked for
+        const StopRequest later; // keeps the earlier request
         EXPECT_TRUE(StopRequest::requested());
     }
     std::raise(SIGTERM);

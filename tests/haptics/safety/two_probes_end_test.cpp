@@ -1,4 +1,4 @@
-// Ends of programs with two probes, and handlers of the program's own: there must be no force after them, and an end.
+// Programs with two probes or with their own handlers end without a force, and do not hang.
 
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
@@ -16,7 +16,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A probe that leans on the plane of a world of its own.
 class LeaningProbe
 {
 public:
@@ -104,7 +103,7 @@ TEST_F(SecondProbeEnds, CaughtItLeavesTheFirstAloneAndStillGuarded)
     expect_zero();
 }
 
-/// The parameter: which of two probes goes first.
+/// The parameter: one of the two probes.
 class TwoProbesEnd : public ProgramEnds, public testing::WithParamInterface<int>
 {};
 

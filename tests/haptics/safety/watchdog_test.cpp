@@ -13,7 +13,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A servo loop of 1 kHz with everything as it should be, unless told otherwise.
+/// A servo loop of 1 kHz in which scene and device work until a test changes that.
 struct Program
 {
     explicit Program(const WatchdogLimits &limits = {}) : watchdog(limits) {}
@@ -34,7 +34,6 @@ struct Program
             tick();
     }
 
-    /// Up to full force.
     void settle()
     {
         run(1);
@@ -80,7 +79,7 @@ TEST(Watchdog, StaysAtZeroAsLongAsSomethingHasNotShownThatItLives)
     EXPECT_EQ(without_physics.watchdog.reason(), WatchdogReason::physics_stale);
 }
 
-/// How much time has really passed is unknown then.
+/// The elapsed time is unknown then.
 TEST(Watchdog, AClockThatGoesBackTakesTheForceAtOnce)
 {
     Program program;
@@ -174,7 +173,7 @@ TEST(Watchdog, OfTwoFaultsTheLongerOneCounts)
     program.settle();
     program.physics_runs = false;
     program.watchdog.physics_fresh(program.time + 0.1 - 0.0045); // stale for half a millisecond
-    program.tick(0.1);                                           // but nobody was there for much longer
+    program.tick(0.1);                                           // but the servo stood still for much longer
     EXPECT_EQ(program.watchdog.reason(), WatchdogReason::physics_stale);
     EXPECT_EQ(program.watchdog.factor(), 0);
 }
@@ -186,7 +185,7 @@ TEST(Watchdog, ManyMissedDeadlinesInARowAreTooMany)
     for (int i = 0; i < 19; ++i)
         program.tick(0.002);
     EXPECT_EQ(program.watchdog.factor(), 1);
-    program.tick(); // in time: it counts anew
+    program.tick(); // in time: the count restarts
     for (int i = 0; i < 19; ++i)
         program.tick(0.002);
     EXPECT_EQ(program.watchdog.factor(), 1);

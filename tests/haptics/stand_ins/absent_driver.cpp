@@ -1,4 +1,4 @@
-// The library that is there when the one that needs it is linked, and not when that is loaded.
+// A library that is present when its user is linked, and absent when that is loaded.
 
 extern "C" __attribute__((visibility("default"))) int absent_driver()
 {

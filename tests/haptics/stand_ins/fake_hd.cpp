@@ -1,5 +1,5 @@
-// A stand-in for OpenHaptics' HD library, for tests: its binary interface, a scheduler thread, an arm that moves as the
-// test wants, errors on demand, and a force that goes on playing until another takes its place.
+// A stand-in for OpenHaptics' HD library, for tests: its binary interface, a scheduler thread, an arm whose motion the test
+// sets, errors on demand, and a force that plays until the next one.
 
 #include "tests/haptics/stand_ins/fake_hd_state.h"
 
@@ -14,7 +14,7 @@ namespace
 {
 std::thread servo_thread;
 
-/// One frame of all that is scheduled, without the mutex: the callbacks call us.
+/// Runs a frame of all scheduled callbacks, without the mutex because they call this library.
 void run_callbacks(const std::map<unsigned long, Scheduled> &scheduled)
 {
     for (const auto &each : scheduled)

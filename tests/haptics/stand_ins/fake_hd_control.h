@@ -1,5 +1,4 @@
-// The test's hold on the stand-in for OpenHaptics' HD library: loads it, finds what steers it, and gives back a new
-// one.
+// Loads the stand-in for OpenHaptics' HD library, finds its control functions, and resets it.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_CONTROL_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_CONTROL_H
@@ -56,7 +55,7 @@ public:
         return force;
     }
 
-    /// N; of the motors when the scheduler was stopped last.
+    /// N; of the motors at the last stop of the scheduler.
     Eigen::Vector3d playing_at_stop() const
     {
         Eigen::Vector3d force;
@@ -64,7 +63,7 @@ public:
         return force;
     }
 
-    /// How many frames before that had set zero, one after the other.
+    /// Number of successive frames with zero force before that.
     std::uint64_t frames_without_force_at_stop() const
     {
         double force[3];

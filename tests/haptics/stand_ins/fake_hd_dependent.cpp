@@ -1,5 +1,4 @@
-// A stand-in for OpenHaptics' HD library that needs a library which is not there, as the real one does without its
-// driver.
+// A stand-in for OpenHaptics' HD library that needs an absent library, like the real one without its driver.
 
 extern "C" int absent_driver();
 

@@ -1,4 +1,4 @@
-// What the stand-in for OpenHaptics' HD library remembers. Hidden in each of its variants: they share nothing.
+// The state of the stand-in for OpenHaptics' HD library. It is hidden in each variant, so that they share nothing.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_STATE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_STATE_H
@@ -51,7 +51,7 @@ inline void stay_at_the_origin(double, FakeHdPose *pose)
         pose->transform[i] = 1;
 }
 
-/// All that the library is. Everything but the threads themselves is guarded by the mutex.
+/// The mutex guards all of it.
 struct State
 {
     void (*motion)(double, FakeHdPose *) = stay_at_the_origin;
@@ -75,7 +75,7 @@ struct State
 
     bool is_running = false;
     bool is_paused = false;
-    bool is_still = false; ///< the servo thread waits for a step or for its going on
+    bool is_still = false; ///< the servo thread waits for a step or the end of the pause
     int steps = 0;
     std::uint64_t frames = 0;
     std::map<unsigned long, Scheduled> scheduled;
@@ -93,7 +93,7 @@ inline void raise(std::uint32_t code, int internal_code = 0)
     state.errors.push_back({code, internal_code, device_handle});
 }
 
-/// @return whether the call is to go on as if nothing were.
+/// Notes a call. @return false if the test wants it to fail.
 inline bool begin(const char *function, bool is_worth_a_note = true)
 {
     if (is_worth_a_note)

@@ -11,7 +11,7 @@
 
 namespace
 {
-// Of the protocol: what marks a request, and the requests that we know.
+// The protocol: the mark of a request, and the known requests.
 constexpr std::int32_t tag = 0x7faa0000;
 constexpr std::int32_t change_protocol = tag | 0x5500;
 constexpr std::int32_t device_name = tag | 0x2000;
@@ -26,7 +26,7 @@ bool receive(int client, void *data, std::size_t size)
 
 void write_to(int client, const void *data, std::size_t size)
 {
-    // A client that has gone in the meantime is none of the test's business.
+    // The client may have gone in the meantime.
     static_cast<void>(::send(client, data, size, MSG_NOSIGNAL));
 }
 } // namespace

@@ -1,4 +1,4 @@
-// A stand-in for spacenavd, the server of 3D mice: a socket, its protocol, and events when the test wants them.
+// A stand-in for spacenavd, the server of 3D mice: a socket, its protocol, and events on demand.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_SPACENAVD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_SPACENAVD_H
@@ -9,19 +9,18 @@
 #include <string>
 #include <thread>
 
-/// How the server answers.
 enum class SpacenavdManner
 {
     usual,      ///< protocol 1, one mouse, "Stand-in Mouse"
-    old,        ///< protocol 0: answers nothing
+    old,        ///< protocol 0: no answers
     no_mouse,   ///< protocol 1, no mouse
-    busy_mouse, ///< protocol 1; a motion comes in front of the first answer to a question
-    hangs_up,   ///< takes the connection and closes it
+    busy_mouse, ///< protocol 1; a motion precedes the first answer
+    hangs_up,   ///< accepts the connection and closes it
     hangs_up_after_greeting
 };
 
-/// Listens at a new socket from its construction to its stop, for one client at a time, in a thread of its own. As long
-/// as it lives, SPNAV_SOCKET names its socket.
+/// From its construction to stop(), its thread serves one client at a time at a new socket. SPNAV_SOCKET names the socket
+/// during its lifetime.
 class FakeSpacenavd
 {
 public:
@@ -30,18 +29,15 @@ public:
     FakeSpacenavd(const FakeSpacenavd &) = delete;
     FakeSpacenavd &operator=(const FakeSpacenavd &) = delete;
 
-    /// To the client that is connected. It can be read when this returns.
+    /// Sends to the connected client, which can read it when this returns.
     void send_motion(int x, int y, int z, int rx, int ry, int rz) { send({0, x, y, z, rx, ry, rz, 16}); }
     void send_button(int button, bool is_pressed) { send({is_pressed ? 1 : 2, button, 0, 0, 0, 0, 0, 0}); }
     void send_unplugged() { send({3, 1, 0, 0, 0, 0, 0, 0}); }
 
-    /// Something that is no event.
     void send_nonsense() { send({0x7fff0000, 1, 2, 3, 4, 5, 6, 7}); }
 
-    /// Half of an event: the rest does not come.
     void send_half_a_motion(int x);
 
-    /// The server ends: it closes its connection and its socket.
     void stop();
 
     const std::string &socket_path() const { return path_; }
@@ -61,7 +57,7 @@ private:
     int listener_ = -1;
     std::atomic<int> client_{-1};
     std::atomic<bool> is_ended_{false};
-    bool has_been_asked_ = false; ///< of the thread alone
+    bool has_been_asked_ = false; ///< of the thread only
     std::thread thread_;
 };
 

@@ -16,14 +16,14 @@ std::atomic<std::uint64_t> allocations{0};
 }
 
 #ifdef ODE_PREDICTIVE_SPACE_OPERATORS_ARE_TAKEN
-// By ThreadSanitizer, which calls this. Calls of malloc() count, too.
+// ThreadSanitizer defines the operators and calls this hook. Calls of malloc() count, too.
 extern "C" void __sanitizer_malloc_hook(const volatile void *, std::size_t)
 {
     ++allocations;
 }
 #else
-// In place of the standard library's; its other forms of new and delete call these. Inlined, one of a pair but not the other, they
-// look to the compiler as if new were freed.
+// These replace the standard library's operators, whose other forms call them. If one of a pair were inlined, the compiler
+// would see free() applied to memory from new.
 [[gnu::noinline]] void *operator new(std::size_t size)
 {
     ++allocations;
@@ -32,7 +32,7 @@ extern "C" void __sanitizer_malloc_hook(const volatile void *, std::size_t)
     throw std::bad_alloc();
 }
 
-// Sanitizers have one of their own, which does not call the one above.
+// Sanitizers define this form themselves, and theirs does not call the one above.
 [[gnu::noinline]] void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 {
     ++allocations;

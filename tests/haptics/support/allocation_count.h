@@ -1,4 +1,4 @@
-// How often the program asked for memory: for tests that nothing in a servo loop does.
+// Counts allocations, for tests that a servo loop makes none.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_ALLOCATION_COUNT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_ALLOCATION_COUNT_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Calls of operator new so far, by all threads, those within shared libraries included.
+/// Number of calls of operator new so far, in all threads and shared libraries.
 std::uint64_t allocation_count();
 } // namespace ode_predictive_space::haptics
 

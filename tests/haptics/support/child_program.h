@@ -1,4 +1,4 @@
-// Programs that die, each in a process of its own.
+// Runs programs that die, each in a child process.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_CHILD_PROGRAM_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_CHILD_PROGRAM_H
@@ -17,13 +17,12 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The exit status of a child that came to its end alive.
+/// The exit status of a child whose program returned.
 constexpr int returned = 99;
 
-/// How a child ended.
 struct ProgramEnd
 {
-    int status = 0; ///< as of waitpid()
+    int status = 0; ///< from waitpid()
     bool hung = false;
     std::string messages; ///< on its standard error
 
@@ -32,7 +31,7 @@ struct ProgramEnd
     bool says(const std::string &part) const { return messages.find(part) != std::string::npos; }
 };
 
-/// A child that hangs is killed after a minute.
+/// Kills a child that hangs after a minute.
 inline void wait_for(pid_t child, ProgramEnd &end)
 {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
@@ -58,7 +57,7 @@ inline ProgramEnd end_of(const std::function<void()> &program)
         const rlimit no_core = {0, 0};
         setrlimit(RLIMIT_CORE, &no_core);
         dup2(messages, STDERR_FILENO);
-        std::thread(program).join(); // what it throws is caught by nothing, and nothing is unwound
+        std::thread(program).join(); // nothing catches its exceptions, and nothing is unwound
         std::_Exit(returned);
     }
     ProgramEnd end;

@@ -1,4 +1,4 @@
-// A device that breaks when a test says so.
+// A device that breaks on demand.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_FAULTY_DEVICE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_FAULTY_DEVICE_H
@@ -10,25 +10,24 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What goes wrong.
 enum class Breakage
 {
     none,
-    lost,             ///< read() and write() throw `lost`: somebody has pulled the plug
+    lost,             ///< read() and write() throw `lost`, as after the plug was pulled
     unreadable,       ///< read() throws `failed`; write() works
     unwritable,       ///< write() throws `failed`; read() works
     not_a_number,     ///< the position is not a number
     endless_velocity, ///< the velocity is infinite
-    stalled           ///< read() gives the last state from before, with its time, again and again
+    stalled           ///< read() repeats the last state, with its time
 };
 
-/// Passes everything on to a device, which must outlive it, until it breaks. What was written can be looked at.
+/// Passes all calls to a device, which must outlive it, until it breaks.
 class FaultyDevice : public Device
 {
 public:
     explicit FaultyDevice(Device &device) : device_(device) {}
 
-    /// Break from the read() at `time` on, in seconds on the loop's clock, up to `mended`.
+    /// Breaks at the read() at `time` (s, on the loop's clock), until `mended`.
     void break_at(double time, Breakage breakage, double mended = std::numeric_limits<double>::infinity())
     {
         breakage_ = breakage;
@@ -36,7 +35,7 @@ public:
         mended_ = mended;
     }
 
-    /// Break (or mend, with Breakage::none) at the next read() or write(). From any thread.
+    /// Breaks (or mends, with Breakage::none) at the next read() or write(). Any thread may call this.
     void break_now(Breakage breakage) { sudden_ = breakage; }
 
     void open() override { device_.open(); }

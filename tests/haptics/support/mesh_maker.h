@@ -1,4 +1,4 @@
-// Triangle meshes for tests: shapes, and what holds one in ODE.
+// Triangle meshes for tests: shapes, and their data in ODE.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_MESH_MAKER_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_MESH_MAKER_H
@@ -17,7 +17,7 @@ struct MeshShape
     std::vector<Vector3> vertices; ///< m
     std::vector<std::array<int, 3>> triangles;
 
-    /// A quadrilateral of two triangles, corners in turn.
+    /// Adds a quadrilateral as two triangles; the corners go around it.
     void add_quad(const Vector3 &a, const Vector3 &b, const Vector3 &c, const Vector3 &d)
     {
         const int first = static_cast<int>(vertices.size());
@@ -47,13 +47,12 @@ inline MeshShape grid_mesh(double cell, int across, int along)
     return shape;
 }
 
-/// The same, cells x cells of them.
+/// A square grid_mesh() with this side.
 inline MeshShape sheet_mesh(double side, int cells)
 {
     return grid_mesh(side / cells, cells, cells);
 }
 
-/// A closed box between two corners.
 inline MeshShape box_mesh(const Vector3 &low, const Vector3 &high)
 {
     const auto at = [&](int x, int y, int z) -> Vector3 {
@@ -99,7 +98,7 @@ inline MeshShape sphere_mesh(double radius, int slices)
     return shape;
 }
 
-/// Two slopes that meet in the y axis and go down from there.
+/// Two slopes that meet at the y axis and go down from there.
 inline MeshShape roof_mesh(double degrees)
 {
     const double angle = degrees * std::acos(-1.0) / 180;
@@ -111,7 +110,7 @@ inline MeshShape roof_mesh(double degrees)
     return shape;
 }
 
-/// A mesh in ODE. The data goes with it; the geom goes with its space.
+/// A mesh in ODE. It owns the data; the geom belongs to its space.
 class OdeMesh
 {
 public:
@@ -120,7 +119,7 @@ public:
     OdeMesh(const OdeMesh &) = delete;
     OdeMesh &operator=(const OdeMesh &) = delete;
 
-    /// Other triangles in the same data.
+    /// Replaces the triangles in the same data.
     void set(const MeshShape &shape)
     {
         vertices_.clear();

@@ -1,4 +1,4 @@
-// What the tests of the probe have in common.
+// Shared parts of the probe's tests.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_PROBE_FIXTURE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_PROBE_FIXTURE_H
@@ -12,7 +12,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Goes from start to end within half a second, as smoothly as a hand, after one second of rest in which the forces ramp in.
+/// A minimum-jerk path of half a second, after one second of rest in which forces ramp in.
 inline ScriptedDevice::Path reach(const Vector3 &from, const Vector3 &to)
 {
     return [from, to](double seconds) -> Vector3 {
@@ -21,7 +21,7 @@ inline ScriptedDevice::Path reach(const Vector3 &from, const Vector3 &to)
     };
 }
 
-constexpr int reach_ticks = 1600; // all of it, and some rest at the end
+constexpr int reach_ticks = 1600; // the whole path, and some rest
 
 class HapticProbeTest : public testing::Test
 {
@@ -36,7 +36,7 @@ enum class Shape
     box
 };
 
-/// Its surface is at z = 0 where the probe comes, and its normal is z.
+/// Adds a shape whose surface is at z = 0 below the probe, with the normal z.
 inline dGeomID add_shape(ProbeWorld &world, Shape shape)
 {
     if (shape == Shape::plane)
@@ -50,7 +50,7 @@ inline dGeomID add_shape(ProbeWorld &world, Shape shape)
     return world.add_box({0.4, 0.6, 0.2}, {0.05, -0.1, -0.1});
 }
 
-/// Runs the tick-by-tick program and adds up what the hand got.
+/// N s; the impulse on the hand in these ticks.
 inline Vector3 impulse_on_hand(ProbeWorld &world, HapticProbe &probe, int ticks)
 {
     Vector3 impulse = Vector3::Zero();

@@ -1,4 +1,4 @@
-// A small ODE world with a probe in it, as a program would have it.
+// A small ODE world with a probe, as in a program.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_PROBE_WORLD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_PROBE_WORLD_H
@@ -44,7 +44,7 @@ inline dSpaceID make_space(SpaceChoice choice, dSpaceID parent = nullptr)
     return nullptr;
 }
 
-/// ODE is initialised as long as one of these lives.
+/// Keeps ODE initialised during its lifetime.
 class OdeUse
 {
 public:
@@ -81,7 +81,7 @@ public:
     ProbeWorld(const ProbeWorld &) = delete;
     ProbeWorld &operator=(const ProbeWorld &) = delete;
 
-    /// A body of this mass, with inertia as of a ball of 0.1 m.
+    /// Adds a body with the inertia of a ball of 0.1 m radius.
     dBodyID add_body(const Vector3 &position, double kilograms)
     {
         const dBodyID body = dBodyCreate(world);
@@ -99,7 +99,6 @@ public:
         return box;
     }
 
-    /// A box with a body, at a place.
     dBodyID add_moving_box(const Vector3 &sides, const Vector3 &position, double kilograms)
     {
         const dBodyID body = add_body(position, kilograms);
@@ -119,7 +118,7 @@ public:
         dJointGroupEmpty(contacts_);
     }
 
-    /// Ticks of a program without a loop of the library.
+    /// Runs ticks without a loop of the library.
     void run(HapticProbe &haptic_probe, int ticks, double dt = 0.001)
     {
         for (int i = 0; i < ticks; ++i)
@@ -131,7 +130,7 @@ public:
         }
     }
 
-    bool swap = false;                             ///< hand the pairs over the other way round
+    bool swap = false;                             ///< passes each pair in reverse order
     std::function<void(dGeomID, dGeomID)> on_pair; ///< called for each pair of the near callback; may be empty
     const dWorldID world;
     const dSpaceID space;
@@ -197,7 +196,7 @@ inline void broken_box(dGeomID, dReal box[6])
     }
 }
 
-/// A geom two metres wide whose contacts are not numbers. Up to four times as long as ODE is initialised.
+/// A geom two metres wide whose contacts are not numbers. ODE has room for four of them until it is closed.
 inline dGeomID add_broken_geom(dSpaceID space)
 {
     dGeomClass description = {};
@@ -217,7 +216,6 @@ inline Vector3 momentum_of(dBodyID body)
     return mass.mass * Vector3(velocity[0], velocity[1], velocity[2]);
 }
 
-/// Collects notices.
 class NoticeList
 {
 public:
@@ -232,7 +230,7 @@ public:
             std::count_if(notices_.begin(), notices_.end(), [&](const Notice &notice) { return notice.kind == kind; }));
     }
 
-    /// Of the first notice of this kind; empty when there was none.
+    /// The text of the first notice of this kind; empty without one.
     std::string text(NoticeKind kind) const
     {
         for (const Notice &notice : notices_)

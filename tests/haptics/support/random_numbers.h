@@ -1,4 +1,4 @@
-// Random inputs for property tests: the same for the same seed.
+// Random inputs for property tests, determined by a seed.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_RANDOM_NUMBERS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_RANDOM_NUMBERS_H
@@ -27,7 +27,7 @@ public:
         return vector.normalized();
     }
 
-    /// Each component up to this.
+    /// Each component is at most `half`.
     Vector3 in_cube(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
 
     Quaternion rotation() { return Quaternion(Eigen::AngleAxisd(between(-M_PI, M_PI), direction())); }
@@ -42,7 +42,7 @@ public:
         return tool;
     }
 
-    /// Of the object of that number, millimetres deep.
+    /// A touch of this object, up to 5 mm deep.
     Touch touch(std::uintptr_t object)
     {
         Touch touch;

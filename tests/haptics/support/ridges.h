@@ -1,4 +1,4 @@
-// Ridges to slide over, and the truth about them.
+// Ridges to slide over, and the exact proxy above them.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_RIDGES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_RIDGES_H
@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Ridges along y, the same at each y, whose profile is straight between the multiples of a cell's length.
+/// Ridges along y, whose profile is straight between multiples of the cell.
 struct RidgeShape
 {
     double cell = 0.002; ///< m
@@ -35,17 +35,15 @@ inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
     return shape;
 }
 
-/// Where the probe's centre comes to above ridges that are the same at each y, as Zilles and Salisbury's god object: it goes
-/// down along the way that leads nearer to the tool, by steps far smaller than the ridges, and stays in the first valley of
-/// that.
+/// The centre of a probe above the ridges, as Zilles and Salisbury's god object: it descends towards the tool by steps far
+/// smaller than the ridges, and stays in the first local minimum.
 class ProxyAboveRidges
 {
 public:
     /// @param radius m; of the probe.
-    /// @param x m; where the proxy is at first.
+    /// @param x m; the first place of the proxy.
     ProxyAboveRidges(const RidgeShape &ridges, double radius, double x) : ridges_(ridges), radius_(radius), x_(x) {}
 
-    /// @return the proxy.
     Vector3 follow(const Vector3 &tool)
     {
         for (double step = 1e-5; step > 1e-10; step /= 2)
@@ -64,7 +62,7 @@ private:
         return std::hypot(x - tool.x(), std::max(0.0, height(x) - tool.z()));
     }
 
-    /// The lowest place of the centre at x: the highest that any point of the ridges asks for.
+    /// m; the lowest height of the centre at x: the maximum that the points of the ridges require.
     double height(double x) const
     {
         const int first = static_cast<int>(std::floor((x - radius_) / ridges_.cell)) - 1;
@@ -74,7 +72,7 @@ private:
         {
             const double from = i * ridges_.cell, to = from + ridges_.cell;
             const double slope = (ridges_.height(to) - ridges_.height(from)) / ridges_.cell;
-            // The point of this face, seen as a line, that touches the sphere; or the end that is nearest to it.
+            // The point of this face, extended to a line, that touches the sphere; or the end nearest to it.
             const double s = std::clamp(x + radius_ * slope / std::hypot(1, slope), from, to);
             if (std::abs(s - x) <= radius_)
             {

@@ -1,4 +1,4 @@
-// A device that goes where a test says, and remembers what was written to it and when.
+// A device that follows a test's path, and a log of what is written to a device.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SCRIPTED_DEVICE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SCRIPTED_DEVICE_H
@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A PHANToM Desktop by its numbers.
+/// The figures of a PHANToM Desktop.
 inline Capabilities desktop_capabilities()
 {
     Capabilities capabilities;
@@ -22,7 +22,6 @@ inline Capabilities desktop_capabilities()
     return capabilities;
 }
 
-/// Along z.
 inline Wrench push(double newtons)
 {
     Wrench wrench;
@@ -30,7 +29,7 @@ inline Wrench push(double newtons)
     return wrench;
 }
 
-/// Nothing that the hand feels moves it.
+/// Written forces do not move it.
 class ScriptedDevice : public SoftwareDevice
 {
 public:
@@ -40,7 +39,7 @@ public:
         : SoftwareDevice(capabilities), path_(std::move(path))
     {}
 
-    std::function<void()> before_read; ///< within the driver; may be empty
+    std::function<void()> before_read; ///< called within the driver; may be empty
     std::uint32_t buttons = 0;
 
 protected:
@@ -60,14 +59,13 @@ private:
     Path path_;
 };
 
-/// One write() to a device.
 struct LoggedWrite
 {
-    double time; ///< s; of a clock
+    double time; ///< s; on the log's clock
     Wrench wrench;
 };
 
-/// Passes everything on, and keeps what was written. Writes may come from several threads, one at a time.
+/// Passes all calls to a device, and records its writes. Several threads may write, one at a time.
 class WriteLog : public Device
 {
 public:
@@ -91,7 +89,6 @@ public:
 
     const std::vector<LoggedWrite> &writes() const { return writes_; }
 
-    /// The force that the device renders at this time.
     Vector3 force_at(double time) const
     {
         Vector3 force = Vector3::Zero();
@@ -101,7 +98,7 @@ public:
         return force;
     }
 
-    /// Whether there was no force at all between the two times, both included.
+    /// Whether there was no force between the two times, both included.
     bool was_quiet(double from, double to) const
     {
         if (!force_at(from).isZero(0))

@@ -1,4 +1,4 @@
-// What a signal does to the test program: no test may depend on what the program was started with, by nohup, say.
+// Sets the disposition of a signal, so that no test depends on an inherited one, such as that of nohup.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SIGNAL_DISPOSITION_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SIGNAL_DISPOSITION_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A handler of the program's own, which the test's end takes away again.
+/// Sets a handler, and restores the former one when it is destroyed.
 class SignalDisposition
 {
 public:

@@ -1,4 +1,4 @@
-// A file that is gone after the test.
+// A file that the test removes.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_TEMPORARY_FILE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_TEMPORARY_FILE_H
@@ -12,7 +12,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A name that no other test has, in the folder for temporary files. The file is not made, unless with a content.
+/// A file in the folder for temporary files, whose name no other test has. It is only created with a content.
 class TemporaryFile
 {
 public:
