@@ -315,7 +315,7 @@ def near_faults():
     yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", numbers)
     yield Fault("old_numbers_taken_for_new", "near", tick, "clock_.update % half_of_all == 0", "half_of_all == 0", numbers)
     yield Fault("old_numbers_taken_for_later", "near", tick, "clock_.update % half_of_all == 0", "clock_.update % (2 * half_of_all) == 0", numbers)
-    yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // no update: none of their numbers is left out\n", "    finish();\n", numbers)
+    yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // not finish(): the update number must not advance\n", "    finish();\n", numbers)
     yield Fault(
         "watch_that_is_no_number", "near", place, "capsule = 5, ///< that of a segment", "capsule = 3, ///< that of a segment", (("broadphase", "Place.NoUpdateNumber*"),))
     yield Fault(
@@ -335,7 +335,7 @@ def near_faults():
         "resting_pairs_not_reported", "near", near,
         "return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);", "return end;", sets)
     yield Fault(
-        "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // as above\n", "",
+        "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // pair states belong to the former margin\n", "",
         (("shape_contract", "ShapeProximity.*"),))
     yield Fault(
         "retired_for_ever", "near", BROADPHASE + "near/near_set.h",

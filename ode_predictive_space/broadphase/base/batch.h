@@ -1,4 +1,4 @@
-// The objects that get a new envelope in this update.
+// The batch: the objects that get a new envelope in an update.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
@@ -10,13 +10,12 @@
 
 namespace ode_predictive_space
 {
-/// An array for the order, a set for membership.
+/// The array keeps the order, the set answers membership.
 class Batch
 {
 public:
     void resize(std::size_t count) { members_.resize(count); }
 
-    /// Adds an object, unless it is in the batch.
     void add(ProxyId id)
     {
         if (members_.contains(id))
@@ -36,7 +35,7 @@ public:
     std::size_t size() const { return ids_.size(); }
     bool contains(ProxyId id) const { return members_.contains(id); }
 
-    /// In the order in which they were added.
+    /// The members in order of insertion.
     const std::vector<ProxyId> &ids() const { return ids_; }
 
     std::size_t bytes() const { return members_.bytes() + bytes_of(ids_); }

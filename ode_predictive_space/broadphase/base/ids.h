@@ -1,4 +1,4 @@
-// The words that all stages of the broad phase share: objects, ticks, pairs.
+// Types that all stages of the broad phase share: objects, ticks, pairs.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_IDS_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_IDS_H
@@ -8,14 +8,14 @@
 
 namespace ode_predictive_space
 {
-/// Dense number of an object in the broad phase; reused after removal.
+/// Dense number of an object; reused after removal.
 using ProxyId = std::uint32_t;
 constexpr ProxyId no_proxy = ~ProxyId{0};
 
-/// Time, counted in ticks. It wraps around, so only differences mean something.
+/// Time in ticks. It wraps around, so only differences are meaningful.
 using Tick = std::uint32_t;
 
-/// Ticks from `from` to `to`; negative when `to` is earlier.
+/// Negative when `to` is earlier than `from`.
 inline std::int32_t ticks_between(Tick from, Tick to)
 {
     return static_cast<std::int32_t>(to - from);
