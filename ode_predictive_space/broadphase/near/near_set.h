@@ -1,5 +1,5 @@
-// The near set: the pairs whose envelopes overlap. In: such pairs, when one of their objects has got another envelope. Out: at each
-// tick those of them that do overlap.
+// The near set: the pairs whose envelopes overlap. In: pairs of new envelopes. Out: at each tick, the pairs that pass the proximity
+// test.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_NEAR_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_NEAR_SET_H
@@ -16,27 +16,25 @@
 
 namespace ode_predictive_space
 {
-/// What is known of a near pair.
 enum class PairState
 {
-    active,     ///< nothing that lasts: the pair is tested at each tick
-    separated,  ///< the pair rests, and its objects do not overlap; or their shapes do not touch
-    overlapping ///< the pair rests, and its objects overlap; or their shapes may touch
+    active,     ///< the pair is tested at each tick
+    separated,  ///< the pair rests, and is not reported
+    overlapping ///< the pair rests, and is reported without a test
 };
 
-/// Pairs that are all tested in the same way, in the order in which they became active.
+/// Pairs under one test, in the order in which they became active.
 struct NearPairs
 {
     std::vector<CandidatePair> active;
-    std::vector<CandidatePair> overlapping, separated; ///< at rest
+    std::vector<CandidatePair> overlapping, separated; ///< resting pairs
 
     std::size_t resting() const { return overlapping.size() + separated.size(); }
     std::size_t size() const { return active.size() + resting(); }
     std::size_t bytes() const { return bytes_of(active) + bytes_of(overlapping) + bytes_of(separated); }
 };
 
-/// A pair is active, or it rests until one of its objects moves. When an object is retired, all its pairs are stale, and are dropped
-/// together with those of others.
+/// A pair is active, or it rests until one of its objects moves. The pairs of a retired object are stale until drop_retired() drops them.
 class NearSet
 {
 public:
@@ -48,10 +46,10 @@ public:
         resize_array(is_retired_, count);
     }
 
-    /// @param by_shape the contacts of the pair are costly to find: it is reported when its shapes may touch.
+    /// @param by_shape the pair is reported only if its shapes may touch.
     void add(const CandidatePair &pair, bool by_shape) { (by_shape ? by_shape_ : by_box_).active.push_back(pair); }
 
-    /// The object is getting another envelope, or is gone.
+    /// The object gets a new envelope, or is gone: its pairs are stale.
     void retire(ProxyId id)
     {
         disturb(id);
@@ -59,7 +57,7 @@ public:
         has_retired_ = true;
     }
 
-    /// The object is gone. Throws nothing.
+    /// Closes the gap budget of a removed object. Throws nothing.
     void close_account(ProxyId id) { budget_.close(id); }
 
     bool has_retired() const { return has_retired_; }
@@ -74,29 +72,27 @@ public:
     }
     bool rests(ProxyId id) const { return resting_.contains(id); }
 
-    /// Drops the pairs of all retired objects, and calls visit(pair) for each before.
+    /// Drops the pairs of all retired objects, after visit(pair).
     template <typename Visit> void drop_retired(Visit visit);
 
-    /// Room that report() needs for its pairs.
+    /// Number of pairs for which report() needs room.
     std::size_t most_pairs() const { return by_box_.size() + by_shape_.size(); }
 
-    /// Writes the pairs that overlap to `room`, which has room for most_pairs(). Now and then, pairs whose objects have not moved
-    /// come to rest.
+    /// Writes the pairs that overlap. At some reports, pairs whose objects have not moved come to rest.
     ///
     /// @param update the present one.
-    /// @return the end of what was written.
+    /// @param room for most_pairs().
+    /// @return the end of the written pairs.
     CandidatePair *report(const OverlapTest &test, UpdateNumber update, CandidatePair *room);
 
-    /// Does the same, but writes pairs that were added by shape only when they overlap and their shapes may touch. Shapes are brought up
-    /// to date where they are needed.
+    /// As above, but pairs that were added by shape are written only if their shapes may touch, too. Updates shapes as needed.
     CandidatePair *report(ShapeTest &test, UpdateNumber update, CandidatePair *room);
 
-    /// The objects of the pairs that the last report let rest, some of them several times. Their next moves must be seen.
+    /// The objects of pairs that came to rest in the last report, possibly repeated. Each must be listed at its next notice.
     const std::vector<ProxyId> &newly_resting() const { return newly_resting_; }
 
-    /// Drops all pairs.
     void clear();
-    /// The same, and gives their memory back.
+    /// Clears and gives memory back.
     void release();
 
     /// Calls visit(pair, state) for all pairs that are not stale.
@@ -110,7 +106,7 @@ public:
         }
     }
 
-    /// Calls visit(pair) for the active pairs that were postponed at the last report, and whose shapes are the ones of that report.
+    /// Calls visit(pair) for the active pairs that the last report postponed, unless their shapes have been replaced since.
     template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
     {
         for (std::size_t i = 0; i < gaps_.size(); ++i)
@@ -121,11 +117,10 @@ public:
         }
     }
 
-    /// Active pairs that are tested by box; stale ones among them.
+    /// Active pairs by box, including stale ones.
     const std::vector<CandidatePair> &active() const { return by_box_.active; }
-    /// Pairs at rest.
     std::size_t resting() const { return by_box_.resting() + by_shape_.resting(); }
-    /// Pairs that have rested and do not any more, since the set was made.
+    /// Number of times that a resting pair became active.
     std::uint64_t woken() const { return woken_; }
 
     std::size_t bytes() const
@@ -136,11 +131,11 @@ public:
     }
 
 private:
-    /// A pair to look at.
+    /// A pair whose gap check is due.
     struct Open
     {
-        std::uint32_t number; ///< among by_shape_.active
-        std::uint32_t place;  ///< among those that are written
+        std::uint32_t number; ///< index in by_shape_.active
+        std::uint32_t place;  ///< index in the written pairs
     };
 
     void begin_report();
@@ -160,14 +155,14 @@ private:
 
     void want_all_by_shape();
 
-    /// Keeps those active pairs by shape for which stays(pair, its number) is true, with their looks.
+    /// Keeps the active pairs by shape, and their gap caches, for which stays(pair, index) is true.
     template <typename Stays> void keep_by_shape(Stays stays);
 
     void activate_disturbed();
     std::size_t activate_disturbed(std::vector<CandidatePair> &resting, std::vector<CandidatePair> &active);
     bool is_time_to_rest()
     {
-        // Most of what never moves is there from the beginning.
+        // The first two are early, because most objects that never move exist from the beginning.
         ++reports_;
         return reports_ == 2 || reports_ == 8 || reports_ % tuning::reports_per_rest == 0;
     }
@@ -194,15 +189,15 @@ private:
     }
 
     NearPairs by_box_, by_shape_;
-    std::vector<GapCache> gaps_;     // of the first so many of by_shape_.active; the others are new
-    IdSet resting_;                  // objects with a pair at rest
-    std::vector<ProxyId> disturbed_; // were among them
+    std::vector<GapCache> gaps_;     // of by_shape_.active, as far as already tested
+    IdSet resting_;                  // objects with resting pairs
+    std::vector<ProxyId> disturbed_; // objects whose resting pairs must become active
     std::vector<ProxyId> newly_resting_;
-    IdSet apart_; // objects with a pair by shape that rested apart when pairs were last let rest
+    IdSet apart_; // objects with a separated pair by shape, as of the last let_rest_by_shape()
     std::uint64_t woken_ = 0;
-    unsigned reports_ = 0;                 // so far; decides when pairs are let rest
-    UpdateNumber rested_ = 0;              // when that was last
-    std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
+    unsigned reports_ = 0;
+    UpdateNumber rested_ = 0;              // the last update at which pairs could come to rest
+    std::vector<std::uint8_t> is_retired_; // bytes, because two are read for each pair
     bool has_retired_ = false;
     GapBudget budget_;
     IdSet wanted_;           // scratch
