@@ -132,7 +132,7 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
     clear_scratch(pairing_.found);
 }
 
-// Objects whose envelopes meet are watched by their tight boxes from now on. New envelopes shrink from bounding spheres to these boxes.
+// Objects whose envelopes meet are watched by their tight boxes. New envelopes shrink from bounding spheres to these boxes.
 void Broadphase::make_tight(Scene &scene, const Batch &batch)
 {
     clear_scratch(listing_.current);
@@ -184,7 +184,7 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     return static_cast<std::size_t>(end - room.data());
 }
 
-// Discards everything derived from positions; the next measure finds it again. It is valid in any state, also after an exception.
+// Discards everything derived from positions; the next measure finds it again. Valid in any state, also after an exception.
 void Broadphase::start_over()
 {
     resize_stages();

@@ -1,10 +1,9 @@
-// The broad phase with predictive scheduling. In: objects by number, and notices of their moves. Out: at each tick, the pairs
-// that the proximity test finds near.
+// The broad phase with predictive scheduling. In: numbered objects, and notices of moves. Out: at each tick, the near pairs.
 //
 //     notices -> measure -> predict -> index -> near set -> pairs
 //
-// Invariant: at each tick, after measure, every object lies inside its envelope. Therefore a pair whose envelopes are apart is apart,
-// and every pair whose bounding boxes overlap is in the near set.
+// Invariant: at each tick, after measure, every object lies inside its envelope. Therefore a pair whose envelopes are apart is
+// apart, and every pair whose bounding boxes overlap is in the near set.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BROADPHASE_H
@@ -21,7 +20,6 @@
 
 namespace ode_predictive_space
 {
-/// The condition for the report of a pair.
 enum class ProximityTest
 {
     box,    ///< bounding boxes overlap
@@ -39,9 +37,8 @@ struct Counters
     std::uint64_t gap_checks = 0;
 };
 
-/// Owns the stages of the tick, and passes the results of each to the next.
-///
-/// After an exception in an update or report, the derived state is discarded: the next update measures all objects, and is exact.
+/// Owns the stages of the tick, and passes the results of each to the next. After an exception in an update or report, the
+/// derived state is discarded: the next update measures all objects, and is exact.
 class Broadphase
 {
 public:
@@ -55,7 +52,6 @@ public:
     void remove(ProxyId id);
 
     /// Reports a change of an object's pose, size or anything else that its bounds depend on. Every change must be reported.
-    ///
     /// @tparam Object describes the object:
     ///     bool has_pose()            the next two are known
     ///     const Real *position()
@@ -84,7 +80,6 @@ public:
     /// @return false when pose and size are unchanged in single precision: that counts as no move.
     template <typename Object> bool report_closely(ProxyId id, const Object &object, Followed followed);
 
-    /// The object may have changed in any way since it was measured.
     void mark_moved(ProxyId id)
     {
         note_move(proxies_.places[id]);
@@ -117,10 +112,8 @@ public:
     /// Catches up and brings the near set up to date, without a tick.
     void find_new_pairs(Scene &scene);
 
-    /// Finds the pairs that overlap now. The broad phase must be up to date.
-    ///
-    /// @param room receives the pairs from its beginning on. It grows as needed and never shrinks; later elements are undefined.
-    /// @return the number of pairs.
+    /// Writes the pairs that pass the proximity test to the beginning of `room`, which grows as needed and never shrinks.
+    /// @pre the broad phase is up to date. @return the number of pairs.
     std::size_t report(Scene &scene, std::vector<CandidatePair> &room);
 
     // --- Queries; the broad phase must be caught up ---
@@ -132,25 +125,20 @@ public:
     }
 
     /// The predicted motion of an object. It is known after three sampled ticks; sampling begins with the first forecast query.
-    ///
-    /// @param collisions number of the program's collisions so far: an object that has not moved during tuning::still_collisions of
-    ///     them rests.
+    /// @param collisions number of collisions so far; an object that has not moved for tuning::still_collisions of them rests.
     Forecast forecast(Scene &scene, ProxyId id, std::uint64_t collisions);
 
-    /// The earliest time at which two objects may be near, in ticks from now; none when they stay apart while both forecasts hold.
-    ///
+    /// The earliest time at which two objects may be near, in ticks from now; none if they stay apart in both forecasts.
     /// @param by_sphere near objects must have overlapping spheres, too.
     std::optional<double> time_of_proximity(const Forecast &first, const Forecast &second, bool by_sphere) const;
 
     /// Brings shapes up to date for time_of_contact() and may_touch(). @pre ProximityTest::shape.
     void follow_shapes(Scene &scene, const IdSet &wanted);
 
-    /// The earliest time at which two shapes may touch, in ticks from now: 0 when they may touch now, none when they stay apart while
-    /// both forecasts hold. @pre follow_shapes() of both.
+    /// The earliest time at which two shapes may touch, as above; 0 if they may now. @pre follow_shapes() of both.
     std::optional<double> time_of_contact(const Forecast &first, const Forecast &second,
                                           const CandidatePair &pair) const;
 
-    /// @pre follow_shapes() of both.
     bool may_touch(const CandidatePair &pair) const;
 
     // --- Settings ---
@@ -166,7 +154,6 @@ public:
     /// All objects are predicted with these settings at the next update.
     void set_settings(const PredictionSettings &settings);
 
-    /// Fixes an object's role, which is used from the next update on.
     void set_role(ProxyId id, Role role);
 
     // --- State ---
@@ -175,30 +162,23 @@ public:
     const Counters &counters() const { return counters_; }
     Tick now() const { return clock_.now; }
 
-    /// Sets the number of the next update, so that tests reach the wrap-around of update numbers.
-    ///
-    /// @pre nothing has moved since the last update.
+    /// Sets the next update's number, so that tests reach the wrap-around. @pre nothing has moved since the last update.
     void number_updates_from(UpdateNumber next) { clock_.update = next; }
 
     /// Whether the object is known to be disabled. The near set has no pairs of such objects.
     bool idle(ProxyId id) const { return idle_.contains(id); }
 
-    /// Number of pairs in the near set, active or resting.
     std::size_t near_pairs() const;
-    /// Number of near pairs that are resting or postponed.
     std::size_t waiting_pairs() const { return near_.resting() + postponed_pairs(); }
 
     /// Number of times so far that a resting pair became active.
     std::uint64_t woken_pairs() const { return near_.woken(); }
 
-    /// Calls visit(pair, state) for each pair of the near set.
     template <typename Visit> void for_each_near_pair(Visit visit) const { near_.for_each(visit); }
 
-    /// Number of pairs that are not tested because their gap cannot have closed.
     std::size_t postponed_pairs() const;
 
-    /// Brings all shapes up to date, and calls visit(pair) for each postponed pair whose gap cannot have closed. The broad phase must be up
-    /// to date.
+    /// Calls visit(pair) for each postponed pair, after bringing all shapes up to date. @pre the broad phase is up to date.
     template <typename Visit> void for_each_postponed(Scene &scene, Visit visit)
     {
         follow_shapes(scene, proxies_.members());
@@ -207,7 +187,6 @@ public:
 
     /// The point to which coordinates of envelopes and tight boxes are relative. It moves when all objects are far from it.
     const Origin &origin() const { return origin_; }
-    /// See Predictor::farthest().
     float farthest() const { return predictor_.farthest(); }
 
     bool consistent() const { return index_.consistent(); }
@@ -250,7 +229,6 @@ private:
     void review(Scene &scene);
     void move_origin(const Vector3 &origin);
     void forget(ProxyId id);
-    /// If memory runs out in the step, the next update starts over.
     template <typename Step> void attempt(Step step);
     void request_all();
     void resize_stages();
@@ -265,7 +243,6 @@ private:
         std::uint32_t queries = 0; // updates after moves since the last tick
     };
 
-    // Objects for the next measure.
     struct Listing
     {
         Worklist listed;              // objects with a watched solid were measured by their last notice
@@ -318,8 +295,7 @@ template <typename Object> bool Broadphase::report_closely(ProxyId id, const Obj
         mark_moved(id);
         return true;
     }
-    // The move may be too small for single precision. Pairs must not come to rest because of that, and the shape test adds the move to
-    // the travel.
+    // The move may be too small for single precision. It must keep pairs from coming to rest, and adds to travel.
     place.note_doubtful_move(clock_.update);
     listing_.listed.demand();
     return false;

@@ -12,11 +12,9 @@ namespace ode_predictive_space::tuning
 {
 // --- Memory ---
 
-/// Maximum number of objects whose working set stays in the cache between ticks, so that prefetching costs more than it saves.
-/// (gas 1,000, pile 1,000)
+/// Maximum number of objects whose working set stays cached between ticks: prefetching does not pay. (gas 1,000, pile 1,000)
 constexpr std::size_t cached_objects = 300;
-/// As above, for the two cache lines per geom that the callbacks read. Most of them have just been read by a notice or by measure.
-/// (floor 500, pile 1,000)
+/// As above, for the two lines per geom that callbacks read; notices and measure have just read most. (floor 500, pile 1,000)
 constexpr std::size_t cached_filters = 2000;
 
 /// Prefetch distance in loop iterations. (gas 10,000)
@@ -39,28 +37,26 @@ constexpr float reach_step = 1.25f;
 /// Instructions of the test of a pair that is apart, and of a prediction. (game 1,000)
 constexpr float cost_of_test = 20, cost_of_prediction = 2800;
 
-/// Maximum number of objects for which comparing all boxes costs least. Such a space predicts nothing unless it has to, and a query
-/// reads each geom. (many 17, nested 22)
+/// Maximum number of objects for which comparing all boxes costs less than predictions or an index. (many 17, nested 22)
 constexpr std::size_t few_objects = 16;
 
-/// Constant part of the deviation, in object sizes, for jitter and for bounding boxes that change by turning. It is also the minimum
-/// reach, and the minimum travel before the spread adapts. (heap 500)
+/// Constant part of the deviation, in object sizes, for jitter and for bounding boxes that change by turning. It is also the
+/// minimum reach, and the minimum travel before the spread adapts. (heap 500)
 constexpr float slack = 0.01f;
 
-/// Spread: deviation from the path per distance travelled. Envelopes use the maximum, because narrower ones break more often; forecasts
-/// use the adapted value. (heap 500)
+/// Spread: deviation from the path per distance travelled. Envelopes use the maximum, because narrower ones break more often;
+/// forecasts use the adapted value. (heap 500)
 constexpr float first_spread = 0.02f, least_spread = 0.002f, most_spread = 0.1f;
 
 /// Ticks in which a review has read the envelopes of all objects. (far: twice as many are a hundred at most)
 constexpr std::size_t ticks_per_review = 48;
 
-/// Limits for the distance between the origin and the middle of all envelopes: half extents of the scene, and mean sums of an
-/// envelope's sides. Beyond both limits the origin moves; rounding is then some hundredths of an object's size. (1,000 spheres at
-/// 1e4 to 5e6 m)
+/// Distances from the origin to the middle of all envelopes beyond which the origin moves: in half extents of the scene, and in
+/// mean sums of an envelope's sides, where rounding is some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
 constexpr float far_in_extents = 4, far_in_sizes = 1e4f;
 
-/// Successive queries after moves, without a tick, after which each further one counts as a tick: a program that only queries needs
-/// predictions, too. (ask)
+/// Successive queries after moves, without a tick, after which each further one counts as a tick: a program that only queries
+/// needs predictions, too. (ask)
 constexpr std::uint32_t queries_to_ticks = 16;
 
 /// Collisions of the space without a move after which an object counts as still. Some programs collide more than once per step.
@@ -103,23 +99,21 @@ constexpr std::size_t spread_samples = 24;
 /// Standard deviations from the mean of an axis to the ends of its grid.
 constexpr double deviations_per_half = 4;
 
-/// Minimum width of a slab in mean box widths, so that few boxes are in two slabs; and minimum number of boxes in it.
-/// (teleport 3,000 to 40,000)
+/// Minimum width of a slab in mean box widths, and minimum number of boxes in it. (teleport 3,000 to 40,000)
 constexpr double least_widths_per_slab = 4, least_boxes_per_slab = 1000;
 
 // --- Near ---
 
-/// Reports between two searches for pairs that may rest, and maximum number of reports between two gap checks of a pair.
-/// (gas 100,000, stack 1,000)
+/// Reports between searches for pairs that may rest; maximum between gap checks of a pair. (gas 100,000, stack 1,000)
 constexpr unsigned reports_per_rest = 32;
 
-/// Instructions that an omitted report saves: the least of dCollide() for a pair with costly contacts, less those that bring shapes up
-/// to date. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
+/// Instructions that an omitted report saves: the least of dCollide() for a pair with costly contacts, less those that bring
+/// shapes up to date. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
 constexpr float cost_of_contacts = 1700;
 /// Instructions of a gap check without its search, and of the search per unit of Gap::work.
 constexpr float cost_of_check = 1200, cost_of_reach = 150;
-/// Part of cost_of_contacts that each report pays in for gap checks, and number of reports whose whole cost is a pair's allowance. After
-/// some 500 reports both sums are equal. (drum, meshes in meshes)
+/// Part of cost_of_contacts that each report pays in for gap checks, and number of reports whose whole cost is a pair's
+/// allowance. After some 500 reports both sums are equal. (drum, meshes in meshes)
 constexpr float part_for_checks = 1.0f / 64, allowed_reports = 8;
 
 /// Search distance for the surface of a mesh or heightfield, in radii of the shape. (room 1,000)
@@ -134,8 +128,8 @@ constexpr std::size_t steps_per_tick = 12500;
 /// Maximum number of samples of a heightfield, 160 MB. A larger one is represented by its box.
 constexpr int most_heights = 1 << 24;
 
-/// Maximum number of points of a hull. A convex or mesh of more is represented by its box in its own axes: it is mostly a landscape,
-/// with the other objects inside its hull, and making a hull takes about a millisecond per thousand points.
+/// Maximum number of points of a hull. A convex or mesh of more is represented by its box in its own axes: it is mostly a
+/// landscape, with the other objects inside its hull, and making a hull takes about a millisecond per thousand points.
 constexpr std::size_t most_hull_points = 10000;
 } // namespace ode_predictive_space::tuning
 

@@ -1,4 +1,4 @@
-// The batch: the objects that get a new envelope in an update.
+// The batch: the objects that get a new envelope in an update, as an array for order and a set for membership.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
@@ -10,7 +10,6 @@
 
 namespace ode_predictive_space
 {
-/// The array keeps the order, the set answers membership.
 class Batch
 {
 public:
@@ -35,7 +34,6 @@ public:
     std::size_t size() const { return ids_.size(); }
     bool contains(ProxyId id) const { return members_.contains(id); }
 
-    /// The members in order of insertion.
     const std::vector<ProxyId> &ids() const { return ids_; }
 
     std::size_t bytes() const { return members_.bytes() + bytes_of(ids_); }

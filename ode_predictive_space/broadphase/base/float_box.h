@@ -72,7 +72,6 @@ struct FloatBox
     }
 
 private:
-    // Fourth lanes are ignored.
     static FloatBox of(Float4 low, Float4 high)
     {
         FloatBox box;
@@ -87,7 +86,6 @@ private:
 };
 static_assert(sizeof(FloatBox) == 6 * sizeof(float), "low and high are read as one array");
 
-/// An object with its envelope.
 struct SweptProxy
 {
     ProxyId proxy;

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// The sides of up to four boxes, by axis and box. Empty places hold an inverted box whose sides are beyond all that are bounded().
+/// The sides of up to four boxes, by axis and box. Empty places hold an inverted box beyond all that are bounded().
 struct alignas(16) FourBoxes
 {
     static constexpr std::size_t most = 4;
@@ -46,7 +46,6 @@ struct alignas(16) FourBoxes
         }
     }
 
-    /// Enlarges the box in the place to hold another one, too.
     void enlarge(std::size_t place, const FloatBox &box)
     {
         for (int axis = 0; axis < 3; ++axis)
@@ -79,7 +78,6 @@ struct alignas(16) FourBoxes
     Float4 highs(int axis) const { return Float4::load_aligned(high[axis]); }
 };
 
-/// A box for comparison with many others.
 class BoxProbe
 {
 public:

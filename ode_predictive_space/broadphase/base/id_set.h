@@ -18,7 +18,6 @@ class IdSet
 public:
     static constexpr std::uint32_t bits_per_word = 64;
 
-    /// Makes room for objects 0 to count - 1, and keeps those members.
     void resize(std::size_t count)
     {
         const std::size_t words = (count + bits_per_word - 1) / bits_per_word;

@@ -8,7 +8,7 @@
 
 namespace ode_predictive_space
 {
-/// Dense number of an object; reused after removal.
+/// A dense number, reused after removal.
 using ProxyId = std::uint32_t;
 constexpr ProxyId no_proxy = ~ProxyId{0};
 
@@ -21,14 +21,12 @@ inline std::int32_t ticks_between(Tick from, Tick to)
     return static_cast<std::int32_t>(to - from);
 }
 
-/// Two objects that may be near each other.
 struct CandidatePair
 {
     ProxyId first;
     ProxyId second;
 };
 
-/// A pair with the smaller number first.
 inline CandidatePair in_order(ProxyId one, ProxyId other)
 {
     return {std::min(one, other), std::max(one, other)};

@@ -1,4 +1,4 @@
-// How arrays grow and shrink, and where they begin.
+// Growth, shrinking and alignment of arrays.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_MEMORY_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_MEMORY_H
@@ -11,8 +11,8 @@
 
 namespace ode_predictive_space
 {
-/// Resizes an array and gives memory back when it shrinks. Growth reserves a quarter more; doubling, as vectors do, would leave a
-/// third of the memory of a large scene unused.
+/// Resizes an array and gives memory back when it shrinks. Growth reserves a quarter more; doubling, as vectors do, would leave
+/// a third of the memory of a large scene unused.
 template <typename T, typename Allocator> void resize_array(std::vector<T, Allocator> &elements, std::size_t count)
 {
     const bool shrinks = count < elements.size();
@@ -29,7 +29,6 @@ template <typename T> void free_memory(std::vector<T> &elements)
     elements = std::vector<T>();
 }
 
-/// Gives back memory that an array has kept from a one-off spike.
 template <typename T> void give_back_spare(std::vector<T> &elements)
 {
     if (elements.capacity() > tuning::kept_elements && elements.size() < elements.capacity() / 8)

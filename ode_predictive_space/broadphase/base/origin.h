@@ -36,7 +36,7 @@ public:
 
     Vector3 place() const { return Vector3(place_[0], place_[1], place_[2]); }
 
-    /// Upper bound, greater than 0, of the rounding error that the subtraction of this origin adds to the program's coordinates.
+    /// Upper bound, greater than 0, of the rounding error that this origin adds to the program's coordinates.
     Float4 doubt() const { return doubt_; }
 
     /// The point relative to this origin; fast for coordinates that were just stored, see Float4::nearest_of_stored().

@@ -33,9 +33,9 @@ template <std::size_t bytes> void prefetch_block(const void *begin)
     prefetch(reinterpret_cast<const void *>(address + bytes - 1));  // NOLINT(performance-no-int-to-ptr)
 }
 
-/// Calls visit(i) for i from 0 to count - 1, and each fetch with the same i before: the last fetch `distance` iterations earlier, the
-/// last but one twice as many, and so on; in a short loop, all calls of a fetch precede the next fetch. So a fetch may read memory that
-/// the fetches before it have fetched.
+/// Calls visit(i) for i from 0 to count - 1, and each fetch with the same i before: the last fetch `distance` iterations
+/// earlier, the last but one twice as many, and so on; in a short loop, all calls of a fetch precede the next fetch. So a fetch
+/// may read memory that the fetches before it have fetched.
 template <typename Visit, typename... Fetches>
 void for_each_prefetched(std::size_t count, std::size_t distance, Visit visit, Fetches... fetches)
 {

@@ -8,11 +8,10 @@
 
 namespace ode_predictive_space
 {
-/// A float <= value, at most three units in the last place or FLT_MIN below it; -infinity if value is NaN or below the range of
-/// float.
+/// A float <= value, at most three units in the last place or FLT_MIN below it; -infinity for NaN and below the range of float.
 inline float round_down(double value)
 {
-    // One part in 2^23 is one or two units in the last place. FLT_MIN covers smaller numbers, also if denormals are flushed to zero.
+    // One part in 2^23 is one or two units in the last place. FLT_MIN covers smaller numbers, also if denormals become zero.
     constexpr float unit = std::numeric_limits<float>::epsilon();
     if (std::isnan(value))
         return -std::numeric_limits<float>::infinity();
@@ -24,7 +23,7 @@ inline float round_down(double value)
     return nearest - (std::abs(nearest) * unit + std::numeric_limits<float>::min());
 }
 
-/// A float >= value, with the same bounds; infinity if value is NaN or above the range of float.
+/// A float >= value, with the same bounds; infinity for NaN and above the range of float.
 inline float round_up(double value)
 {
     return -round_down(-value);

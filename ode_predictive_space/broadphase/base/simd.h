@@ -1,5 +1,4 @@
 // Vectors of four floats and of eight 16-bit integers: the only vector arithmetic of the broad phase.
-//
 // It uses SSE2. On other processors the SIMDe library implements the same instructions with bit-identical results;
 // ODE_PREDICTIVE_SPACE_SIMDE selects it on any processor, for tests.
 
@@ -21,10 +20,8 @@
 
 namespace ode_predictive_space
 {
-/// Bits of the first three lanes of a Mask4, and of all four.
 constexpr unsigned three_lanes = 7, four_lanes = 15;
 
-/// The result of a comparison of four lanes.
 class Mask4
 {
 public:
@@ -55,16 +52,14 @@ public:
     /// Rounded to the nearest floats; the fourth lane is 0.
     static Float4 nearest(const double *three) { return joined(_mm_loadu_pd(three), _mm_load_sd(three + 2)); }
 
-    /// Three doubles that are `stride` apart, rounded as by nearest(). Each is loaded separately: a wider load of numbers that were just
-    /// stored one by one would stall until the stores have finished.
+    /// Three doubles that are `stride` apart, rounded as by nearest(). Each is loaded separately: a wider load of numbers that
+    /// were just stored one by one would stall until the stores have finished.
     static Float4 nearest_of_stored(const double *first, std::ptrdiff_t stride)
     {
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
     }
 
-    /// The differences of three doubles that were just stored and three others, each rounded to the nearest float.
-    ///
-    /// @param others aligned to 16 bytes.
+    /// Three doubles that were just stored less three others, rounded to the nearest floats. @param others aligned to 16 bytes.
     static Float4 difference_of_stored(const double *first, const double *others)
     {
         return joined(_mm_sub_pd(_mm_loadh_pd(_mm_load_sd(first), first + 1), _mm_load_pd(others)),
@@ -76,7 +71,7 @@ public:
         return {first[0], first[stride], first[2 * stride], 0};
     }
 
-    /// round_down() of sign times each of three numbers that are `stride` apart. @pre they are finite as floats; sign is 1 or -1.
+    /// round_down() of sign, 1 or -1, times three numbers that are `stride` apart. @pre they are finite as floats.
     static Float4 rounded_down(const double *first, std::ptrdiff_t stride, double sign)
     {
         const __m128d signs = _mm_set1_pd(sign);
@@ -99,14 +94,12 @@ public:
 
     void store(float *four) const { _mm_storeu_ps(four, lanes_); }
 
-    /// Stores the first three lanes.
     void store_three(float *three) const
     {
         _mm_storel_pi(reinterpret_cast<__m64 *>(three), lanes_);
         _mm_store_ss(three + 2, _mm_movehl_ps(lanes_, lanes_));
     }
 
-    /// Stores the lanes, truncated to integers.
     void store_whole(std::int32_t *four) const
     {
         _mm_storeu_si128(reinterpret_cast<__m128i *>(four), _mm_cvttps_epi32(lanes_));
@@ -148,14 +141,12 @@ public:
 
     friend Float4 sqrt(Float4 a) { return Float4(_mm_sqrt_ps(a.lanes_)); }
 
-    /// Replaces infinite and NaN lanes by 0.
     friend Float4 finite_or_zero(Float4 a)
     {
         const __m128 finite = _mm_cmplt_ps(abs(a).lanes_, _mm_set1_ps(std::numeric_limits<float>::infinity()));
         return Float4(_mm_and_ps(finite, a.lanes_));
     }
 
-    /// a / b by lane; 0 if b is 0.
     friend Float4 quotient_or_zero(Float4 a, Float4 b)
     {
         const __m128 divides = _mm_cmpneq_ps(b.lanes_, _mm_setzero_ps());

@@ -25,7 +25,6 @@ public:
         has_work_ = false;
     }
 
-    /// Sets the flag without a member.
     void demand() { has_work_ = true; }
     bool has_work() const { return has_work_; }
 

@@ -18,7 +18,6 @@ namespace ode_predictive_space
 class BoxList
 {
 public:
-    /// Adds the box of an object or replaces it.
     void put(const SweptProxy &leaf)
     {
         const std::size_t place = place_of(leaf.proxy);
@@ -74,7 +73,6 @@ public:
         }
     }
 
-    /// Calls visit(proxy, other) once for each pair of objects whose boxes overlap.
     template <typename Visit> void find_pairs(Visit visit) const
     {
         for (std::size_t place = 0; place + 1 < size(); ++place)

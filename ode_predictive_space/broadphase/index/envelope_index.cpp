@@ -67,7 +67,6 @@ void EnvelopeIndex::prepare(ProxyStore &proxies)
 }
 
 // Replaces each box in its place.
-//
 // @return false if an object belongs elsewhere or the tree has become much worse; then the index must be built.
 bool EnvelopeIndex::refit(ProxyStore &proxies)
 {

@@ -1,5 +1,4 @@
 // The index of all envelopes. In: objects with new envelopes. Out: their overlapping pairs, each once; and answers to queries.
-//
 // A tree holds the envelopes. A list holds those that no tree can hold, and all of a small scene.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_INDEX_H
@@ -18,21 +17,17 @@ namespace ode_predictive_space
 class EnvelopeIndex
 {
 public:
-    /// Appends all pairs of overlapping envelopes with at least one object in the batch and none idle, each once. A large batch is
-    /// swept together with all other objects; a small one queries the index.
-    ///
+    /// Appends all pairs of overlapping envelopes with at least one object in the batch and none idle, each once. A large batch
+    /// is swept together with all other objects; a small one queries the index.
     /// @return false if all were swept.
     bool find_pairs(ProxyStore &proxies, const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
 
     /// Stores the batch's new envelopes. After a large batch the index is stale until prepare().
     void put(ProxyStore &proxies, const Batch &batch);
 
-    /// Brings a stale index up to date.
     void prepare(ProxyStore &proxies);
-    /// Whether walk() may be called.
     bool is_prepared() const { return !is_stale_; }
 
-    /// Removes an object if it is in the index.
     void remove(ProxyStore &proxies, ProxyId id);
 
     void clear(ProxyStore &proxies);

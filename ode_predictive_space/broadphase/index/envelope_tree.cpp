@@ -12,7 +12,7 @@ Float4 half_areas(const Float4 *sides)
     return sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
 }
 
-// The place whose box grows least when it is merged with another. A small weight of the size prefers the smaller of similar ones.
+// The place whose box grows least by merging another. A small weight of the size prefers the smaller of similar boxes.
 std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, const FloatBox &box)
 {
     Float4 sides[3], grown_sides[3];
@@ -110,9 +110,8 @@ template <typename Overfull> void sort_along(Overfull &entries, int axis)
     });
 }
 
-// Sorts the entries along the best axis for a cut into two and three, or three and two. The best cut has the least sum of half areas,
-// each times the number of its entries.
-//
+// Sorts the entries along the best axis for a cut into two and three, or three and two. The best cut has the least sum of half
+// areas, each times the number of its entries.
 // @return the number of entries in the first part.
 template <typename Overfull> std::size_t cut(Overfull &entries)
 {
@@ -172,7 +171,6 @@ void EnvelopeTree::split(Index index, const Entry &extra)
 namespace
 {
 // Splits the leaves into halves along the axis of the largest spread, unless there is room for all.
-//
 // @return the beginning of the second half, or `end`.
 SweptProxy *halve(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room)
 {
@@ -209,8 +207,6 @@ void EnvelopeTree::build(std::vector<SweptProxy> leaves)
     root_ = built(leaves.data(), leaves.data() + leaves.size(), room_below);
 }
 
-// Builds a node over the leaves.
-//
 // @param room_below maximum number of leaves below one of its places.
 EnvelopeTree::Index EnvelopeTree::built(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room_below)
 {

@@ -13,8 +13,8 @@
 
 namespace ode_predictive_space
 {
-/// An R-tree (Guttman 1984) of bounded boxes. A node has up to four boxes, of its children or, in the lowest level, of objects; a visit
-/// compares all four at once. All leaves have the same depth.
+/// An R-tree (Guttman 1984) of bounded boxes. A node has up to four boxes, of its children or, in the lowest level, of objects;
+/// a visit compares all four at once. All leaves have the same depth.
 class EnvelopeTree
 {
 public:
@@ -24,16 +24,13 @@ public:
     /// @pre the proxy is in the tree.
     void remove(ProxyId proxy);
 
-    /// Replaces the box of a proxy in the tree. It is faster than remove() and insert() if the new box is near the old one.
     void move(ProxyId proxy, const FloatBox &box);
 
     void clear();
 
-    /// Replaces the whole tree by one over these leaves, built from the top.
     void build(std::vector<SweptProxy> leaves);
 
-    /// Replaces the boxes of all proxies and keeps the structure, which suits proxies that have moved together with their neighbours.
-    ///
+    /// Replaces the boxes of all proxies and keeps the structure, which suits proxies that have moved with their neighbours.
     /// @param leaves one for each proxy in the tree.
     /// @return false if the tree has become much worse and should be built.
     bool refit(const std::vector<SweptProxy> &leaves);
@@ -41,18 +38,16 @@ public:
     bool empty() const { return root_ == none; }
 
     /// Calls visit(proxy) for each proxy whose box overlaps the probe.
-    ///
-    /// @tparam Probe has `unsigned overlaps(const FourBoxes &) const`, which returns one bit per place. A probe that overlaps a box must
-    ///     overlap each box around it, too. The bits of empty places are ignored.
+    /// @tparam Probe has `unsigned overlaps(const FourBoxes &) const`, which returns one bit per place; bits of empty places
+    ///     are ignored. A probe that overlaps a box must overlap each box around it, too.
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
         if (!empty())
             walk_below(root_, probe, visit);
     }
 
-    /// Walks several probes at once, which is faster if nodes are not in the cache. Calls visit(i, proxy) for each proxy that the i-th
-    /// probe overlaps, not in the order of the probes.
-    ///
+    /// Walks several probes at once, which is faster if nodes are not in the cache. Calls visit(i, proxy) for each proxy that
+    /// the i-th probe overlaps, not in the order of the probes.
     /// @param count at most most_together.
     template <typename Probe, typename Visit>
     void walk_together(const Probe *probes, std::size_t count, Visit visit) const;
@@ -61,10 +56,8 @@ public:
     /// @pre the proxy is in the tree.
     FloatBox box(ProxyId proxy) const { return box_at(leaf_place_[proxy]); }
 
-    /// Checks links and boxes.
     bool consistent() const;
 
-    /// Number of levels.
     int depth() const;
 
     std::size_t bytes() const;
@@ -76,7 +69,6 @@ private:
     static constexpr std::size_t walk_room = 256;
     static_assert(most_together + width <= walk_room, "all probes begin in there");
 
-    /// A node to visit for a probe.
     struct Step
     {
         Index node;
@@ -94,7 +86,6 @@ private:
     };
     static_assert(sizeof(Node) == 128, "two cache lines");
 
-    /// The content of a place.
     struct Entry
     {
         FloatBox box;
@@ -130,7 +121,6 @@ private:
     Index root_ = none, free_ = none;
 };
 
-// Depth first.
 template <typename Probe, typename Visit>
 void EnvelopeTree::walk_below(Index node, const Probe &probe, const Visit &visit) const
 {

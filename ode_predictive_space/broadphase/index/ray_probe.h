@@ -10,17 +10,15 @@
 
 namespace ode_predictive_space
 {
-/// A straight line between two points, as a probe for EnvelopeTree::walk().
-///
-/// Box and line are apart if they are apart along one of six axes: those of the box, and those perpendicular to one of them and to
-/// the line (separating axes: Gottschalk, Lin, Manocha 1996). Sums and differences of end points and corners replace centres and half
-/// sizes, so all lengths are doubled. Single precision gets a margin larger than its round-off, about 4e-6 of the largest coordinate of
-/// the line and of the size of the box: a box that the line misses by less may count as met.
+/// A straight line between two points, as a probe for EnvelopeTree::walk(). Box and line are apart if they are apart along one
+/// of six axes: those of the box, and those perpendicular to one of them and to the line (separating axes: Gottschalk, Lin,
+/// Manocha 1996). Sums and differences of end points and corners replace centres and half sizes, so all lengths are doubled.
+/// Single precision gets a margin larger than its round-off, about 4e-6 of the largest coordinate of the line and of the size
+/// of the box: a box that the line misses by less may count as met.
 class RayProbe
 {
 public:
     /// @pre the line is inside a bounded() box. It may have length 0.
-    ///
     /// @param miss distance up to which a missed box counts as met.
     RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
     {

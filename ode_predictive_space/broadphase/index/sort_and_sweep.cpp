@@ -16,8 +16,8 @@ constexpr float places_beside = 1 << bits_beside;
 
 constexpr std::uint32_t last_key = 0x7fffffff;
 
-// The i-th index of a sample of `count` items. Multiples of the golden ratio spread evenly, whereas a fixed stride may meet a single
-// plane of a grid that was created row by row.
+// The i-th index of a sample of `count` items. Multiples of the golden ratio spread evenly, whereas a fixed stride may meet a
+// single plane of a grid that was created row by row.
 std::size_t sampled(std::size_t i, std::size_t count)
 {
     const std::uint32_t fraction = static_cast<std::uint32_t>(i) * 0x9e3779b9u;
@@ -44,7 +44,6 @@ struct Moments
     }
 };
 
-// The distribution of centres along an axis.
 struct AxisSpread
 {
     int axis;

@@ -12,16 +12,14 @@
 
 namespace ode_predictive_space
 {
-/// Boxes are sorted along the axis of their widest spread. Each two neighbours in that order are compared with the boxes that begin
-/// before they end, eight at a time, by 16-bit grid positions on the other two axes. Candidates are then compared exactly.
-///
-/// Thousands of boxes are first divided into slabs along the axis of the second widest spread, each several boxes wide. A box is in each
-/// slab that it reaches into; a pair is reported in the slab in which the later box begins. (Box pruning: Terdiman 2017, parts 15, 17.)
+/// Boxes are sorted along the axis of their widest spread. Each two neighbours in that order are compared with the boxes that
+/// begin before they end, eight at a time, by 16-bit grid positions on the other axes; candidates are compared exactly. Many
+/// boxes are first divided into slabs along the axis of the second widest spread. A box is in each slab that it reaches; a pair
+/// is reported in the slab in which the later box begins. (Box pruning: Terdiman 2017, parts 15, 17.)
 class SortAndSweep
 {
 public:
     /// Appends each overlapping pair once, the smaller number first.
-    ///
     /// @return the number of exact comparisons, a measure of the work.
     std::size_t find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
 
@@ -31,14 +29,13 @@ private:
     using Items = std::vector<SweptProxy>;
     using Pairs = std::vector<CandidatePair>;
 
-    /// An axis divided into places, which are numbered from 0.
     struct Scale
     {
         int axis = 0;
         float begin = 0, places_per_unit = 0;
     };
 
-    /// The grid from which keys are made: the slab in the upper half, the place along the sorted axis in the lower. Keys are below 2^31.
+    /// The grid for keys: the slab in the upper half, the place along the sorted axis in the lower. Keys are below 2^31.
     struct Layout
     {
         Scale along, across, other;

@@ -6,9 +6,8 @@
 
 namespace ode_predictive_space
 {
-// The boxes in the order of their keys. Array addresses are copied, so that they need no reload after each stored pair.
-//
-// Places only give candidates, because they are coarser than coordinates and because rows of eight may reach beyond the last box that
+// The boxes in the order of their keys. Array addresses are copied, so that they need no reload after each stored pair. Places
+// only give candidates, because they are coarser than coordinates and because rows of eight may reach beyond the last box that
 // begins in time. Candidates are compared exactly.
 class SortAndSweep::Rows
 {
@@ -19,9 +18,9 @@ public:
           slab_bits_(layout.slab_bits)
     {}
 
-    // Compares the i-th box and the next one with the boxes whose keys are at most `end`, the farther of both ends. Neighbours meet nearly
-    // the same boxes, which are loaded once for both, and both rows end in one mispredicted branch. The exact comparison rejects boxes
-    // beyond the nearer end.
+    // Compares the i-th box and the next one with the boxes whose keys are at most `end`, the farther of both ends. Neighbours
+    // meet nearly the same boxes, which are loaded once for both, and both rows end in one mispredicted branch. The exact
+    // comparison rejects boxes beyond the nearer end.
     std::size_t compare_two(std::size_t i, std::uint32_t end, Pairs &pairs) const
     {
         const Probe first(*this, i), second(*this, i + 1);
@@ -41,7 +40,6 @@ public:
         return comparisons;
     }
 
-    // Compares the i-th box with those after it whose keys are at most `end`.
     std::size_t compare_one(std::size_t i, std::uint32_t end, Pairs &pairs) const
     {
         std::size_t j = i + 1;
@@ -71,7 +69,6 @@ private:
         {}
     };
 
-    // One box, repeated eight times.
     class Probe
     {
     public:

@@ -19,7 +19,6 @@ bool is_ball(const ConvexShape &shape)
     return shape.kind == ShapeKind::rounded && shape.half_sides.isZero(0);
 }
 
-// The extension of the object's reach along the axis by any rotation.
 double reach_by_turning(const PredictedShape &object, const PredictedShape &other, const Vector3 &axis)
 {
     if (object.still || !object.turns || (object.about_centre && is_ball(object.shape)))

@@ -1,5 +1,5 @@
-// The earliest contact of two shapes, for forecast queries. In: the present shapes, and predictions. Out: a time that is never later
-// than the contact, as long as both objects keep to their predictions.
+// The earliest contact of two shapes, for forecast queries. In: the present shapes, and predictions. Out: a time that is never
+// later than the contact, as long as both objects keep to their predictions.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_CONTACT_FORECAST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_CONTACT_FORECAST_H
@@ -11,7 +11,6 @@
 
 namespace ode_predictive_space
 {
-/// The present shape of an object, and its prediction from now on.
 struct PredictedShape
 {
     const ConvexShape &shape;
@@ -21,9 +20,8 @@ struct PredictedShape
     bool turns = true; ///< turning may extend its reach; false if it does not turn, or if the deviation covers that
 };
 
-/// The present gap is closed by the predicted motion along its axis, by both deviations, and by turning, as an object that may turn
-/// counts as its bounding sphere. A gap to the surface of a mesh or heightfield, inside its hull, may close along any axis.
-///
+/// The present gap is closed by the predicted motion along its axis, by both deviations, and by turning: an object that may
+/// turn counts as its bounding sphere. A gap to the surface of a mesh or heightfield may close along any axis.
 /// @param margin distance up to which the shapes count as touching.
 /// @param duration validity of both predictions, in ticks; may be infinite.
 /// @return ticks from now: 0 if the shapes may touch now, otherwise at least 1; none if they stay apart for the duration.

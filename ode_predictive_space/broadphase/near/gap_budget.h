@@ -1,4 +1,4 @@
-// Bounds the cost of gap checks. In: the instructions of checks, and the reports that they saved. Out: whether a check is allowed.
+// Bounds the cost of gap checks. In: instructions of checks, and reports that they saved. Out: whether a check is allowed.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_GAP_BUDGET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_GAP_BUDGET_H
@@ -14,10 +14,9 @@
 
 namespace ode_predictive_space
 {
-/// Each object with costly contacts has an account, in instructions. Gap checks of its pairs are drawn from it. Each report that a check
-/// has saved pays in the cost of its contacts, and each other report pays in a small part of that. While the account is overdrawn, the
-/// object's pairs are tested by box. So checks that save nothing cost at most the initial allowances and that part of the reports.
-/// Costs are computed, not measured, so that callbacks are the same in every run.
+/// Each object with costly contacts has an account, in instructions. Gap checks draw from it, and reports pay in: the cost of
+/// their contacts if a check has saved them, otherwise a small part of that. While the account is overdrawn, the object's pairs
+/// are tested by box. Costs are computed, not measured, so that callbacks are the same in every run.
 class GapBudget
 {
 public:
@@ -51,18 +50,14 @@ public:
         account.balance = std::min(account.balance + tuning::cost_of_contacts, account.most);
     }
 
-    /// A pair was reported without a check.
     void note_reported(ProxyId id) { accounts_[id].balance += tuning::part_for_checks * tuning::cost_of_contacts; }
 
-    /// @param work of the check; see Gap::work.
     void note_check(ProxyId id, float work)
     {
         accounts_[id].balance -= tuning::cost_of_check + tuning::cost_of_reach * work;
     }
 
-    /// Charges for a new hull of the object: the first is free, each point or triangle of a later one costs about as much as a check.
-    ///
-    /// @param number of the hull.
+    /// Charges for a new hull of the object: the first is free, an element of a later one costs about as much as a check.
     void note_hull(ProxyId id, std::uint32_t number, std::size_t elements)
     {
         if (id >= accounts_.size())
@@ -85,8 +80,8 @@ private:
     struct Account
     {
         float balance = 0;
-        float most = 0;           ///< sum of all allowances, up to which note_spared() fills the account
-        std::uint32_t report = 0; ///< the last one with new pairs
+        float most = 0;              ///< sum of all allowances, up to which note_spared() fills the account
+        std::uint32_t report = 0;    ///< the last one with new pairs
         std::uint32_t new_pairs = 0; ///< in that report
         std::uint32_t hull = 0;      ///< number of the last one
     };

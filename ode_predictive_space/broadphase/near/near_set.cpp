@@ -76,8 +76,8 @@ void NearSet::want_all_by_shape()
             want(pair);
 }
 
-// Updates the shapes of postponed and of separated pairs. When pairs may rest, it updates all measured shapes, because the shapes of a
-// reported pair may have separated by a change of data. If the shape of an object was replaced, its pairs count as new active pairs.
+// Updates the shapes of postponed and separated pairs. When pairs may rest, it updates all measured shapes, because changed
+// data may have separated a reported pair. If a shape was replaced, the pairs of its object count as new ones.
 void NearSet::follow(ShapeTest &test, bool all_shapes)
 {
     wanted_ = apart_;
@@ -97,7 +97,7 @@ void NearSet::follow(ShapeTest &test, bool all_shapes)
             gaps_[i] = test.new_gap_cache(by_shape_.active[i]);
 }
 
-// Writes the pairs that are not postponed and whose boxes overlap. Pairs whose gap check is due also go to open_, with updated shapes.
+// Writes the pairs that are not postponed and whose boxes overlap. Pairs that are due for a gap check also go to open_.
 CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
 {
     wanted_.clear();
@@ -142,7 +142,7 @@ void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
     });
 }
 
-// Whether the gap of an overlapping pair should be checked now: its pause is over, its account allows it, and no filter excludes it.
+// Whether to check the gap of an overlapping pair now: its pause is over, its account allows it, and no filter excludes it.
 bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, GapCache &cache)
 {
     const ProxyId *payer = cache.payer_of(pair);
@@ -190,7 +190,6 @@ void NearSet::activate_disturbed()
     }
 }
 
-// @return the number of pairs that became active.
 std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std::vector<CandidatePair> &active)
 {
     CandidatePair *left = resting.data();
@@ -205,7 +204,6 @@ std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std
     return activated;
 }
 
-// Lets pairs rest whose objects have not moved since the last call.
 void NearSet::let_rest(const OverlapTest &test)
 {
     std::vector<CandidatePair> &active = by_box_.active;

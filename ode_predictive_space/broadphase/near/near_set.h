@@ -1,5 +1,4 @@
-// The near set: the pairs whose envelopes overlap. In: pairs of new envelopes. Out: at each tick, the pairs that pass the proximity
-// test.
+// The near set: the pairs whose envelopes overlap. In: pairs of new envelopes. Out: at each tick, the pairs to report.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_NEAR_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_NEAR_SET_H
@@ -23,7 +22,6 @@ enum class PairState
     overlapping ///< the pair rests, and is reported without a test
 };
 
-/// Pairs under one test, in the order in which they became active.
 struct NearPairs
 {
     std::vector<CandidatePair> active;
@@ -34,11 +32,10 @@ struct NearPairs
     std::size_t bytes() const { return bytes_of(active) + bytes_of(overlapping) + bytes_of(separated); }
 };
 
-/// A pair is active, or it rests until one of its objects moves. The pairs of a retired object are stale until drop_retired() drops them.
+/// A pair is active, or it rests until one of its objects moves. Pairs of retired objects are stale until drop_retired().
 class NearSet
 {
 public:
-    /// Makes room for objects 0 to count - 1.
     void resize(std::size_t count)
     {
         for (IdSet *set : {&resting_, &apart_, &wanted_})
@@ -62,7 +59,6 @@ public:
 
     bool has_retired() const { return has_retired_; }
 
-    /// The object has moved: its pairs must not rest.
     void disturb(ProxyId id)
     {
         if (!resting_.contains(id))
@@ -75,14 +71,10 @@ public:
     /// Drops the pairs of all retired objects, after visit(pair).
     template <typename Visit> void drop_retired(Visit visit);
 
-    /// Number of pairs for which report() needs room.
     std::size_t most_pairs() const { return by_box_.size() + by_shape_.size(); }
 
     /// Writes the pairs that overlap. At some reports, pairs whose objects have not moved come to rest.
-    ///
-    /// @param update the present one.
-    /// @param room for most_pairs().
-    /// @return the end of the written pairs.
+    /// @param room for most_pairs(). @return the end of the written pairs.
     CandidatePair *report(const OverlapTest &test, UpdateNumber update, CandidatePair *room);
 
     /// As above, but pairs that were added by shape are written only if their shapes may touch, too. Updates shapes as needed.
@@ -92,7 +84,6 @@ public:
     const std::vector<ProxyId> &newly_resting() const { return newly_resting_; }
 
     void clear();
-    /// Clears and gives memory back.
     void release();
 
     /// Calls visit(pair, state) for all pairs that are not stale.
@@ -117,10 +108,9 @@ public:
         }
     }
 
-    /// Active pairs by box, including stale ones.
+    /// Includes stale pairs.
     const std::vector<CandidatePair> &active() const { return by_box_.active; }
     std::size_t resting() const { return by_box_.resting() + by_shape_.resting(); }
-    /// Number of times that a resting pair became active.
     std::uint64_t woken() const { return woken_; }
 
     std::size_t bytes() const

@@ -59,8 +59,8 @@ bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, doubl
              surface_gap(first, second, distance).length > distance);
 }
 
-// The gap between the hulls; if they have none, the gap to the surface of one. The search between hulls is skipped for a shape whose
-// centre is in the box of a mesh, because it is most likely in its hull, too.
+// The gap between the hulls; if they have none, the gap to the surface of one. The search between hulls is skipped for a shape
+// whose centre is in the box of a mesh, because it is most likely in its hull, too.
 Gap ShapeTest::gap_between(const CandidatePair &pair, const GapCache &cache, double margin)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];

@@ -1,5 +1,4 @@
-// The shape test. In: near pairs whose boxes overlap. Out: whether their shapes may touch. A pair with a gap is postponed until the gap
-// can have closed.
+// The shape test. In: near pairs. Out: whether their shapes may touch. Pairs are postponed until their gap can have closed.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SHAPE_TEST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SHAPE_TEST_H
@@ -15,7 +14,6 @@
 
 namespace ode_predictive_space
 {
-/// The object of a pair whose account pays for gap checks.
 enum class Payer : std::uint8_t
 {
     first,
@@ -52,7 +50,6 @@ double touching_distance(const ConvexShape &first, const ConvexShape &second, do
 /// False if a gap exceeds the touching distance.
 bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, double margin);
 
-/// Compares travels, and checks gaps when they are due.
 class ShapeTest
 {
 public:
@@ -63,13 +60,10 @@ public:
         MeasuredShapes &shapes;
     };
 
-    /// @param margin the program's part of touching_distance().
-    /// @param checks counter of gap checks.
     ShapeTest(const Objects &objects, const OverlapTest &boxes, double margin, std::uint64_t &checks)
         : objects_(objects), boxes_(boxes), margin_(margin), checks_(checks)
     {}
 
-    /// Brings shapes and travels up to date.
     void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.proxies); }
     void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
 
@@ -84,9 +78,7 @@ public:
 
     GapCache new_gap_cache(const CandidatePair &pair) const;
 
-    /// Checks the gap of a pair, and decides when the next check is due. @pre follow() of both objects.
-    ///
-    /// @return whether the shapes may touch.
+    /// Checks a gap and decides when the next check is due. @pre follow() of both. @return whether the shapes may touch.
     bool check_gap(const CandidatePair &pair, GapCache &cache, GapBudget &budget);
 
     const MeasuredShapes &shapes() const { return objects_.shapes; }

@@ -1,7 +1,6 @@
-// Disabled objects. They are in no reported pair, so the near set holds no pairs of them.
-//
-// ODE enables and disables geoms without notice. A disabled object is found when it gets a new envelope, or when one of its pairs
-// is to be reported. From then on it is polled, so that it takes part again from the tick at which it is enabled.
+// Disabled objects. They are in no reported pair, so the near set holds no pairs of them. ODE enables and disables geoms
+// without notice. A disabled object is found when it gets a new envelope, or when one of its pairs is to be reported. From then
+// on it is polled, so that it takes part again from the tick at which it is enabled.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
@@ -18,7 +17,6 @@ class IdleObjects
 public:
     void resize(std::size_t count) { members_.resize(count); }
 
-    /// Adds the objects that are disabled now.
     void note(Scene &scene, const ProxyId *ids, std::size_t count)
     {
         note(scene, ids, count, [](ProxyId) {});
@@ -41,7 +39,6 @@ public:
         }
     }
 
-    /// Drops the objects that have been enabled again, and calls visit(id) for each.
     template <typename Visit> void drop_enabled(Scene &scene, Visit visit)
     {
         if (count_ == 0)

@@ -13,31 +13,26 @@
 
 namespace ode_predictive_space
 {
-/// Holds shapes only for wanted objects, because most objects of a large scene are near no other.
-///
-/// At each update of a shape, the travel of its object grows by at least the largest displacement of a surface point, rotation included.
-/// So two shapes with a gap cannot touch before the sum of their travels has grown by that gap. Motion between two updates does not
-/// matter, because the displacement from first to last pose is never larger than the sum of displacements.
+/// Holds shapes only of wanted objects, because most objects of a large scene are near no other. At each update of a shape, the
+/// travel of its object grows by at least the largest displacement of a surface point. So two shapes with a gap cannot touch
+/// before the sum of their travels has grown by that gap.
 class MeasuredShapes
 {
 public:
-    /// Begins without shapes, for objects 0 to count - 1. On an exception nothing has changed.
+    /// On an exception nothing has changed.
     void start(std::size_t count);
-    /// Gives all memory back.
     void stop() { *this = {}; }
     bool in_use() const { return in_use_; }
 
-    /// Makes room for objects 0 to count - 1 if in use.
     void resize(std::size_t count);
 
     /// Drops the shape of an object that is gone or made of other data.
     void forget(ProxyId id);
 
-    /// Measures the wanted objects that have moved or whose data have changed, and adds to their travels. Continues the hulls that any
-    /// object awaits.
+    /// Measures the wanted objects that have moved or have other data, adds to their travels, and continues awaited hulls.
     void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
 
-    /// Whether shapes were measured for the first time, or replaced, since the last clear_renewed(). Travels do not cover such a change.
+    /// Whether shapes were measured for the first time, or replaced, since clear_renewed(). Travels do not cover such changes.
     bool any_renewed() const { return any_renewed_; }
     const IdSet &renewed() const { return renewed_; }
     bool renewed(const CandidatePair &pair) const
@@ -60,7 +55,6 @@ public:
             ids.insert(id);
     }
 
-    /// Sum of both travels.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
 
     std::size_t bytes() const;

@@ -1,6 +1,5 @@
-// The tight box and the envelope of an object, in one cache line. A notice of a move compares the two.
-//
-// An envelope has no time: it stays valid until the object leaves it.
+// The tight box and the envelope of an object, in one cache line. A notice of a move compares the two. An envelope never
+// expires: it is valid until the object leaves it.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
@@ -25,7 +24,6 @@ inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
     return static_cast<std::int32_t>((to - from) << 6) / 64;
 }
 
-/// The comparison that a notice of a move makes.
 enum class Watch : std::uint8_t
 {
     nothing = 0, ///< none: the next update measures the object
@@ -50,7 +48,6 @@ struct Solid
     }
 };
 
-/// The result of a notice of a move.
 enum class Followed
 {
     moved,            ///< inside the envelope
@@ -59,13 +56,12 @@ enum class Followed
     left              ///< outside the envelope, or not compared
 };
 
-/// A box in the first three lanes of two vectors.
 struct TightBox
 {
     Float4 low, high;
 
-    /// A box of these half sizes, enlarged by more than the round-off of it and of the program's box. It is not finite if the centre
-    /// is beyond single precision. @param doubt Origin::doubt().
+    /// A box of these half sizes, enlarged by more than the round-off of it and of the program's box. It is not finite if the
+    /// centre is beyond single precision. @param doubt Origin::doubt().
     static TightBox around(Float4 centre, Float4 half, Float4 doubt)
     {
         constexpr float unit = 6 * std::numeric_limits<float>::epsilon();
@@ -121,7 +117,6 @@ public:
 
     // --- The tight box ---
 
-    /// Set by measure(), watch_centre(), watch_carried() and stop_watching().
     Watch watch() const { return static_cast<Watch>(state_ >> watch_shift); }
     bool watches_centre() const { return watch() == Watch::carried || watch() == Watch::centre; }
     bool watches_solid() const { return watch() > Watch::centre; }
@@ -146,7 +141,6 @@ public:
     }
 
     /// Measures the tight box by the formula of the solid, which notices use from now on.
-    ///
     /// @return false if there is no formula or the box is not finite; then nothing is watched, and the box is not set.
     template <typename Real>
     bool measure(const Solid &solid, const Real *position, const Real *rotation, const Origin &origin)
@@ -169,14 +163,11 @@ public:
     }
     Solid solid() const { return {watch(), half_x_, half_y_, half_z_}; }
 
-    /// Notices compare the centre from now on.
-    ///
+    /// Notices compare the centre from now on. @param doubt Origin::doubt().
     /// @param radius of a sphere around the centre that holds the object in any orientation.
-    /// @param doubt Origin::doubt().
     void watch_centre(const float *centre, float radius, Float4 doubt);
     float watched_radius() const { return half_y_; }
     /// As above, for a centre that is computed from the pose of a body and an offset.
-    ///
     /// @param offset largest coordinate of an offset for whose rounding the radius allows.
     void watch_carried(const float *centre, float radius, Float4 doubt, float offset)
     {
@@ -203,7 +194,6 @@ public:
         set_tight(TightBox::of(outer));
         note_overflow(box, outer);
     }
-    /// Sets an infinite tight box, because the object's place is unknown.
     void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
 
     FloatBox tight() const
@@ -214,7 +204,7 @@ public:
 
     /// Whether the envelope holds the tight box. False for NaN.
     bool holds() const { return has_envelope() && holds(tight_low(), tight_high()); }
-    /// Whether the envelope is infinite on a side on which the tight box is finite. It would never be left there, and meets many others.
+    /// Whether the envelope is infinite on a side on which the tight box is finite, so that it would never be left there.
     bool is_boundless() const
     {
         if (has_end())
@@ -252,7 +242,6 @@ public:
 
     // --- Pairs ---
 
-    /// Overlap of two tight boxes along each axis.
     friend Float4 overlap_depths(const Place &one, const Place &other)
     {
         return min(one.tight_high(), other.tight_high()) - max(one.tight_low(), other.tight_low());
@@ -262,7 +251,7 @@ public:
     {
         return apart(one.tight_low(), one.tight_high(), other.tight_low(), other.tight_high());
     }
-    /// Whether the program's boxes overlap, because the tight boxes overlap by more than they are enlarged. @param doubt Origin::doubt().
+    /// Whether the tight boxes overlap by more than they are enlarged, so that the program's do. @param doubt Origin::doubt().
     friend bool surely_overlap(const Place &one, const Place &other, Float4 doubt);
     /// Bounds of the enlargement of two tight boxes: a part of the farthest coordinate, and multiples of Origin::doubt().
     static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon(), most_doubts = 4;
@@ -309,8 +298,8 @@ private:
                along_z;
     }
 
-    // The reach of a disc of radius 1, perpendicular to the z axis, along each axis of space. The difference is computed in double
-    // precision, because the square root of a small difference enlarges its error.
+    // The reach of a disc of radius 1, perpendicular to the z axis, along each axis of space. The difference is computed in
+    // double precision, because the square root of a small difference enlarges its error.
     template <typename Real> static Float4 reach_of_disc(const Real *rotation)
     {
         const auto squared = [rotation](int axis) {
@@ -339,8 +328,9 @@ private:
         return !is_inside ? Followed::left : changed ? Followed::moved : Followed::same;
     }
 
-    // Each array is loaded as a vector; the member after it is in the ignored fourth lane. While the centre is watched, tight_low_ and
-    // tight_high_ are the box of allowed centres, half_x_ is the last centre's digest, half_y_ the radius, half_z_ allowed_offset().
+    // Each array is loaded as a vector; the member after it is in the ignored fourth lane. While the centre is watched,
+    // tight_low_ and tight_high_ are the box of allowed centres, half_x_ is a digest, half_y_ the radius, half_z_ the allowed
+    // offset.
     float low_[3];
     float half_x_ = 0;
     float high_[3];
@@ -348,9 +338,9 @@ private:
     float tight_low_[3];
     float half_z_ = 0;
     float tight_high_[3];
-    // From the lowest bit on: 26 bits with the update that processes the last move; a bit that is always 0; whether a side of the box
-    // overflows single precision; whether the move is counted; three bits with the watch. As the fourth lane of a vector it is a finite
-    // float, because the bit that is always 0 belongs to the exponent.
+    // From the lowest bit on: 26 bits with the update that processes the last move; a bit that is always 0; whether a side of
+    // the box overflows single precision; whether the move is counted; three bits with the watch. As the fourth lane of a
+    // vector it is a finite float, because the bit that is always 0 belongs to the exponent.
     std::uint32_t state_ = 0;
 };
 static_assert(sizeof(Place) == 64, "one cache line per notice");

@@ -14,7 +14,6 @@
 
 namespace ode_predictive_space
 {
-/// The part of the index that an envelope is in.
 enum class TreeKind : std::uint8_t
 {
     none,
@@ -22,7 +21,6 @@ enum class TreeKind : std::uint8_t
     list ///< for envelopes that no tree can hold, and for all of a small scene
 };
 
-/// The role of an object, chosen by the program or by prediction.
 enum class Role : std::uint8_t
 {
     environment,       ///< by default
@@ -62,15 +60,14 @@ struct alignas(64) ProxyRecord
 };
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
 
-/// Numbers of removed objects are reused, the last removed first.
 class ProxyStore
 {
 public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
 
-    /// Whether the shape test applies to the pair: its contacts are costly to find, or the program has made one object interactive. Two
-    /// costly objects that cannot move are pieces of a landscape, and are tested by box.
+    /// Whether the shape test applies to the pair: its contacts are costly to find, or the program has made one object
+    /// interactive. Two costly objects that cannot move are pieces of a landscape, and are tested by box.
     bool is_checked_by_shape(ProxyId first, ProxyId second) const
     {
         const ProxyRecord &one = records[first], &other = records[second];
@@ -80,7 +77,6 @@ public:
                other.role == Role::fixed_interactive;
     }
 
-    /// Whether the program has made any object interactive.
     bool any_hand() const { return hands_ > 0; }
 
     void set_role(ProxyId id, Role role)

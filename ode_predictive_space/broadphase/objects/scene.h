@@ -20,7 +20,7 @@ struct Carried
     float offset;    ///< largest coordinate of the offset
 };
 
-/// The present state of an object, for its next prediction. Lengths are in the scene's unit.
+/// For the next prediction of an object. Lengths are in the scene's unit.
 struct Observation
 {
     std::optional<Vector3> centre;   ///< the point about which the object turns; finite, none if unknown
@@ -32,7 +32,7 @@ struct Observation
 
 struct ConvexShape;
 
-/// The objects by number. Each call asks about many objects, so that the scene can prefetch them.
+/// Each call asks about many objects, so that the scene can prefetch them.
 class Scene
 {
 public:
@@ -41,15 +41,13 @@ public:
     /// Writes the bounding box of each object into places[id], by Place::measure() or Place::set_tight().
     virtual void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) = 0;
 
-    /// Writes the observations in the order of `ids`.
     virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) = 0;
 
     /// Brings shapes up to date, in the order of `ids`. The default is for scenes without shapes.
-    ///
-    /// @param moves receives an upper bound of each surface point's displacement since the last call; infinite if the shape was replaced.
+    /// @param moves receives upper bounds of surface points' displacements since the last call; infinite for a replaced shape.
     virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves);
 
-    /// Whether the shape's hull is out of date, or the hull that it awaits is no longer being made. Data of hulls change without notice.
+    /// Whether the shape's hull is out of date, or the awaited hull is no longer being made. Data change without notice.
     virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
 
     /// Whether coordinates exceed single precision, so that moving the origin helps.
@@ -57,7 +55,6 @@ public:
 
     virtual Box bounds(ProxyId id) = 0;
 
-    /// The pose from which forecasts are made.
     virtual SampledPose pose(ProxyId id) = 0;
 
     /// Whether the bounding boxes overlap and, by the sphere test, the bounding spheres, too.

@@ -73,21 +73,18 @@ float size_of(const TightBox &box)
     return finite_or_zero(sides).largest_of_three();
 }
 
-// The root of speed t + 1/2 acceleration t^2 = way.
 float ticks_to_travel(float way, float speed, float acceleration)
 {
     const float pace = speed + std::sqrt(speed * speed + 2 * acceleration * way);
     return pace > 0 ? 2 * way / pace : std::numeric_limits<float>::infinity();
 }
 
-// A pseudorandom number in [0, 1).
 float scrambled(ProxyId id)
 {
     return static_cast<float>((id * 0x9e3779b1u) >> 8) * 0x1p-24f;
 }
 } // namespace
 
-// The outcome of the last prediction.
 struct Predictor::Outcome
 {
     float ticks = 0; // since the prediction
@@ -107,8 +104,8 @@ struct Predictor::Motion
     }
 };
 
-// The error is the distance from the path, not from the predicted position, because steps may vary. An object that has moved backwards is
-// compared with the beginning of the path.
+// The error is the distance from the path, not from the predicted position, because steps may vary. An object that has moved
+// backwards is compared with the beginning of the path.
 Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Tick now) const
 {
     Outcome outcome;
@@ -355,8 +352,8 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     record.leapt = false;
 }
 
-// An object whose centre is outside its envelope has leapt. It probably moves on as before, so its envelope leaps with it. After a
-// scene was set back, or got another origin, hardly any object needs a new prediction.
+// An object whose centre is outside its envelope has leapt. It probably moves on as before, so its envelope leaps with it.
+// After a scene was set back, or got another origin, hardly any object needs a new prediction.
 bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
@@ -410,7 +407,6 @@ void Predictor::note_tests(ProxyStore &proxies, const CandidatePair &pair)
     }
 }
 
-// Rotation displaces no point by more than `turning` per tick.
 Envelope Forecast::turning_on() const
 {
     Envelope on = envelope;

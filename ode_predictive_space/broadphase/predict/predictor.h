@@ -1,8 +1,7 @@
-// Predicts a path and an envelope for each object of a batch. In: the batch, its tight boxes, and observations. Out: envelopes and
-// records.
+// Predicts a path and an envelope for each object of a batch. In: tight boxes and observations. Out: envelopes and records.
 //
-// The path is of second degree; the deviation from it grows with time (the paper, sections 3 and 4). The envelope is the box that
-// both sweep until the path has covered the object's reach, or to the end of the horizon.
+// The path is of second degree; the deviation from it grows with time (the paper, sections 3 and 4). The envelope is the box
+// that both sweep until the path has covered the object's reach, or to the end of the horizon.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_PREDICTOR_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_PREDICTOR_H
@@ -21,14 +20,12 @@
 
 namespace ode_predictive_space
 {
-/// Horizons in ticks.
 struct HorizonBounds
 {
     std::uint32_t min_ticks = 1;
     std::uint32_t max_ticks = 2048;
 };
 
-/// The program's settings, for later predictions.
 struct PredictionSettings
 {
     HorizonBounds horizon;
@@ -37,7 +34,6 @@ struct PredictionSettings
     std::array<std::optional<Deviation>, 2> deviation;
 };
 
-/// A prediction for forecast queries: a moving envelope, and its validity in ticks.
 struct Forecast
 {
     Envelope envelope; ///< from now on, without rotation
@@ -58,7 +54,7 @@ class Predictor
 public:
     PredictionSettings settings;
 
-    /// Predicts each object of the batch from `now` on. @pre their tight boxes are up to date.
+    /// @pre the tight boxes of the batch are up to date.
     void predict(Scene &scene, ProxyStore &proxies, const Origin &origin, const std::vector<ProxyId> &batch, Tick now);
 
     /// Samples the objects that the program queries. Called at the beginning of each tick.
@@ -74,10 +70,8 @@ public:
     float farthest() const { return max(farthest_, reviewed_.farthest).largest_of_three(); }
 
     /// Reviews a part of the objects, so that farthest() can decrease. Called at the end of each tick.
-    ///
-    /// @return when a review ends, the middle of all finite envelopes, if it is so far from the origin that the origin should move.
+    /// @return at the end of a review, the middle of all finite envelopes, if the origin should move there.
     std::optional<Vector3> review(const ProxyStore &proxies);
-    /// Discards the reviews after a move of the origin.
     void forget_reviews();
 
     void forget(ProxyId id) { samples_.forget(id); }

@@ -32,7 +32,6 @@ void Samples::sample(Scene &scene, const ProxyStore &proxies, Tick now)
     }
 }
 
-// @return null if the object rests.
 Samples::Sampled *Samples::follow(const ProxyStore &proxies, ProxyId id)
 {
     if (id >= states_.size())

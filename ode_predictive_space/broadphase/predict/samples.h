@@ -14,7 +14,6 @@
 
 namespace ode_predictive_space
 {
-/// The time of a forecast query.
 struct QueryTime
 {
     Tick tick;                ///< of the present poses: the next tick if something has moved since the last
@@ -28,7 +27,6 @@ public:
     /// The track of an object, which is sampled from now on; null if the object rests.
     const Track *ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now);
 
-    /// Samples all objects that have been asked about and do not rest.
     void sample(Scene &scene, const ProxyStore &proxies, Tick now);
 
     void forget(ProxyId id);

@@ -37,16 +37,16 @@ struct ConvexShape : Pose
     ShapeKind kind = ShapeKind::unknown;
     Vector3 half_sides = Vector3::Zero(); ///< along the axes
     double radius = 0;
-    double size = 0;              ///< the smallest diameter; infinite for half spaces and terrain
-    double slack = 0;             ///< distance at which colliders may find contacts by rounding of sizes
-    double place_slack = 0;       ///< the same for rounding of positions
-    double slack_beside_own = 0;  ///< additional slack beside shapes of the same group
-    double sliver_factor = 1;     ///< factor of `slack` and slack_beside_own, except beside a half space
-    std::uint16_t group = 0;      ///< one bit
-    std::uint16_t partners = 0;   ///< groups that are tested by shape; others are tested by bounding box
-    std::uint16_t blunt_beside = 0; ///< groups beside which a capsule or cylinder counts as blunt()
-    bool awaits_hull = false;     ///< the shape is unknown until the hull of its data is made
-    double blunt_margin = 0;      ///< enlargement of blunt() on all sides
+    double size = 0;                        ///< the smallest diameter; infinite for half spaces and terrain
+    double slack = 0;                       ///< distance at which colliders may find contacts by rounding of sizes
+    double place_slack = 0;                 ///< the same for rounding of positions
+    double slack_beside_own = 0;            ///< additional slack beside shapes of the same group
+    double sliver_factor = 1;               ///< factor of `slack` and slack_beside_own, except beside a half space
+    std::uint16_t group = 0;                ///< one bit
+    std::uint16_t partners = 0;             ///< groups that are tested by shape; others are tested by bounding box
+    std::uint16_t blunt_beside = 0;         ///< groups beside which a capsule or cylinder counts as blunt()
+    bool awaits_hull = false;               ///< the shape is unknown until the hull of its data is made
+    double blunt_margin = 0;                ///< enlargement of blunt() on all sides
     std::shared_ptr<const VertexHull> hull; ///< of a hull or terrain, relative to centre and axes
 
     Vector3 along_axes(const Vector3 &direction) const
@@ -86,11 +86,10 @@ struct ConvexShape : Pose
         return radius + half_sides.dot(along_axes(direction).cwiseAbs());
     }
 
-    /// The work of reach() and of farthest_of_core(); see Gap::work.
     float work_of_reach() const { return kind == ShapeKind::hull ? hull->work_of_reach() : 1; }
 
-    /// The farthest point of the shape's core, relative to the centre, in a direction of any length. The shape is the set of all points
-    /// up to core_distance() from its core. @pre no half space or terrain.
+    /// The farthest point of the shape's core, relative to the centre, in a direction of any length. The shape is the set of
+    /// all points up to core_distance() from its core. @pre no half space or terrain.
     Vector3 farthest_of_core(const Vector3 &direction) const
     {
         if (kind == ShapeKind::cylinder)
@@ -123,11 +122,10 @@ struct ConvexShape : Pose
         return cylinder;
     }
 
-    /// Upper bound of the displacement of the surface since the pose `before`: of its change in any direction, so that a turn about an axis
-    /// of symmetry is no motion. Any motion of terrain is infinite, because terrain is solid to any depth. @pre no half space.
-    ///
-    /// A turn changes the reach of a box or hull by at most half_side |change of axis| per axis, that of a cylinder by at most the chord
-    /// of its farthest points.
+    /// Upper bound of the change of the shape's extent in any direction since the pose `before`. A turn about an axis of
+    /// symmetry changes nothing; any motion of terrain is infinite, because terrain is solid to any depth. @pre no half space.
+    /// A turn changes the reach of a box or hull by at most half_side |change of axis| per axis, that of a cylinder by at most
+    /// the chord of its farthest points.
     double moved_from(const Pose &before) const
     {
         if (kind == ShapeKind::terrain)

@@ -32,17 +32,14 @@ Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
     return {length - rounding(half_space) - rounding(other), out, other.work_of_reach()};
 }
 
-// Upper bound of the gap.
 double most_gap(const ConvexShape &first, const ConvexShape &second)
 {
     const auto within = [](const ConvexShape &shape) { return 0.5 * shape.size; };
     return (second.centre - first.centre).norm() - within(first) - within(second);
 }
 
-// Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the Minkowski difference that is closest to the origin. The
-// direction of each intermediate point is an axis to test.
-//
-// @param towards the first direction.
+// Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the Minkowski difference that is closest to the origin.
+// The direction of each intermediate point is an axis to test.
 void approach_closest(const ConvexShape &first, const ConvexShape &second, Vector3 towards, double least, Gap &largest)
 {
     const double around = first.core_distance() + second.core_distance();

@@ -14,8 +14,8 @@ struct Gap
 {
     double length = -std::numeric_limits<double>::infinity();
     Vector3 axis = Vector3::Zero(); ///< from the first shape to the second; unit length, or zero if unknown
-    /// Work of the whole search, in evaluations of ConvexShape::reach(). A hull counts once per visited block; the distance of a triangle
-    /// and a cell of a terrain count once, because they cost about as much.
+    /// Work of the whole search, in evaluations of ConvexShape::reach(). A hull counts once per visited block; the distance of
+    /// a triangle and a cell of a terrain count once, because they cost about as much.
     float work = 0;
 
     void improve(const Gap &other)
@@ -37,10 +37,9 @@ double rounding(const ConvexShape &shape);
 Gap gap_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second);
 
 /// The largest gap that a few steps find. No gap unless the pair is judged_by_shape().
-///
 /// @param axis to begin with, or zero.
-/// @param least the smallest useful gap, at least 0. The search ends if no larger one is possible, or if the gap along `axis` is larger
-///     and at least half of the largest possible one.
+/// @param least the smallest useful gap, at least 0. The search ends if no larger one is possible, or if the gap along `axis`
+///     is larger and at least half of the largest possible one.
 Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 &axis, double least);
 } // namespace ode_predictive_space
 

@@ -9,9 +9,8 @@
 
 namespace ode_predictive_space
 {
-/// Converges to the point of a convex shape that is nearest to the origin, if each added corner is the shape's farthest point against
-/// the direction of point(). Unused corners are dropped, so there are at most four. (P. Wolfe: Finding the nearest point in a polytope,
-/// 1976)
+/// Converges to a convex shape's nearest point to the origin, if each added corner is the farthest one against the direction of
+/// point(). Unused corners are dropped, so that at most four remain. (P. Wolfe: Finding the nearest point in a polytope, 1976)
 class NearestPoint
 {
 public:

@@ -9,7 +9,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A shape in the frame of a mesh.
 class SeenFromMesh
 {
 public:
@@ -82,8 +81,8 @@ private:
     double radius_;
 };
 
-// Lower bound of the distance between the surface and the shape's centre, at most `most`. The search ignores triangles that are only a
-// little nearer than the nearest one found.
+// Lower bound of the distance between the surface and the shape's centre, at most `most`. The search ignores triangles that are
+// only a little nearer than the nearest one found.
 double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, float &work)
 {
     double distance = tuning::near_enough * most;

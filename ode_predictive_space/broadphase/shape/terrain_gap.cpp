@@ -15,7 +15,6 @@ using Box = Eigen::AlignedBox3d;
 
 constexpr double most_periods = 4; // of a repeating terrain that are searched
 
-// A shape in the frame of the terrain's grid.
 class SeenFromTerrain
 {
 public:
@@ -29,10 +28,10 @@ public:
 
     Box box() const { return Box(centre_ - half_box_, centre_ + half_box_); }
 
-    // The gap between the shape and the solid column below a cell. ODE finds contacts of spheres, boxes and capsules that are in the
-    // column of a triangle and below its plane, or whose box is below all corners of all cells beside it. ODE finds contacts of other
-    // shapes if their box is below the highest corner of a cell. At the edge of the terrain, the plane of a flat part extends beyond
-    // it; beside a steep corner, a box below all ground may be outside all planes.
+    // The gap between the shape and the solid column below a cell. ODE finds contacts of spheres, boxes and capsules that are
+    // in the column of a triangle and below its plane, or whose box is below all corners of all cells beside it. ODE finds
+    // contacts of other shapes if their box is below the highest corner of a cell. At the edge of the terrain, the plane of a
+    // flat part extends beyond it; beside a steep corner, a box below all ground may be outside all planes.
     double gap_to(const HeightGrid::Cell &cell) const
     {
         if (shape_.kind != ShapeKind::rounded)
@@ -48,8 +47,8 @@ public:
     }
 
 private:
-    // Half the side of the bounding box that ODE gives the shape in this frame. A cylinder's box changes when it turns about its axis,
-    // which is no travel, so the largest possible side is used.
+    // Half the side of the bounding box that ODE gives the shape in this frame. A cylinder's box changes when it turns about
+    // its axis, which is no travel, so the largest possible side is used.
     double half_box_along(const Vector3 &axis) const
     {
         if (shape_.kind == ShapeKind::cylinder)
@@ -75,7 +74,7 @@ bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
     return sides.x() > most_periods * grid.width() || sides.z() > most_periods * grid.depth();
 }
 
-// ODE numbers the cells of a repeating terrain by an int, from its first copy on, and reads wrong samples when the int overflows.
+// ODE numbers the cells of a repeating terrain by an int, from its first copy on; if that overflows, it reads wrong samples.
 bool overflows_cell_numbers(const HeightGrid &grid, const Box &box)
 {
     constexpr double most_cells = 1 << 30;

@@ -16,25 +16,22 @@
 
 namespace ode_predictive_space
 {
-/// The reach of a convex hull is that of its points, so neither its faces nor a selection of points is needed. Neighbouring points form
-/// blocks, blocks form a tree of boxes, and a search visits only blocks whose boxes reach far enough. All coordinates are relative to
-/// centre().
+/// The reach of a hull is that of its points, so its faces are not needed. Neighbouring points form blocks, blocks form a tree
+/// of boxes, and a search visits only blocks whose boxes reach far enough. Coordinates are relative to centre().
 class VertexHull
 {
 public:
     /// @param points finite; at least one. Equal points are kept once.
     explicit VertexHull(std::vector<Vector3> points);
 
-    /// The middle of the points' bounding box, in the coordinates of the constructor.
+    /// The middle and the half sides of the points' bounding box, in the coordinates of the constructor.
     const Vector3 &centre() const { return centre_; }
-    /// Half sides of the bounding box.
     const Vector3 &half_sides() const { return half_sides_; }
 
     /// The largest scalar product of a direction, of any length, with a point.
     double reach(const Vector3 &direction) const { return find(direction).reach; }
     /// Approximate number of visited blocks. It grows as the square root of all (measured with spheres and tori).
     float work_of_reach() const { return std::sqrt(static_cast<float>(blocks_.size())); }
-    /// Approximate number of points and triangles.
     std::size_t elements() const { return block_size * blocks_.size() + (surface ? surface->count() : 0); }
     /// The point with the largest scalar product.
     Vector3 farthest(const Vector3 &direction) const;
@@ -63,7 +60,7 @@ private:
         std::size_t block;
     };
 
-    // A tree over the blocks from `begin` to `end`: its root is in place `node` of bounds_, the left half follows, then the right.
+    // A tree over blocks `begin` to `end`. Its root is in place `node` of bounds_; the left half follows, then the right.
     struct Range
     {
         std::size_t node, begin, end;
