@@ -351,7 +351,7 @@ void Broadphase::resize_stages()
     listing_.requested.resize(size);
 }
 
-// Gives memory back when most objects are gone. The next update starts over, because the derived state goes with it.
+// Gives memory back after most objects were removed. The next update starts over, because the derived state goes with it.
 void Broadphase::trim()
 {
     const std::size_t size = proxies_.size();

@@ -27,7 +27,6 @@ enum class ProximityTest
     shape   ///< bounding boxes overlap, and the shapes may touch or are unknown
 };
 
-/// Work done so far; see dPredictiveSpaceStats.
 struct Counters
 {
     std::uint64_t moved = 0;
@@ -92,7 +91,7 @@ public:
         mark_moved(id);
     }
 
-    /// The object was found to be disabled when one of its pairs was to be reported.
+    /// The report has found a disabled object in one of its pairs.
     void note_disabled(ProxyId id) { request(id); }
 
     // --- The tick ---
@@ -171,7 +170,6 @@ public:
     std::size_t near_pairs() const;
     std::size_t waiting_pairs() const { return near_.resting() + postponed_pairs(); }
 
-    /// Number of times so far that a resting pair became active.
     std::uint64_t woken_pairs() const { return near_.woken(); }
 
     template <typename Visit> void for_each_near_pair(Visit visit) const { near_.for_each(visit); }
@@ -273,7 +271,7 @@ private:
     Listing listing_;
     Batch batch_;
     Pairing pairing_;
-    bool interrupted_ = false;   // an operation has begun and not ended: the derived state may be wrong
+    bool interrupted_ = false;   // an operation has not ended: the derived state may be wrong
     std::size_t trim_below_ = 0; // memory may be given back when fewer objects than this remain
 };
 

@@ -1,5 +1,4 @@
 // The numbers that decide speed. No number here decides whether a pair is reported.
-//
 // Scenes in brackets are those in which a number was chosen; docs/log/performance.md has the measurements.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_TUNING_H
@@ -44,8 +43,7 @@ constexpr std::size_t few_objects = 16;
 /// minimum reach, and the minimum travel before the spread adapts. (heap 500)
 constexpr float slack = 0.01f;
 
-/// Spread: deviation from the path per distance travelled. Envelopes use the maximum, because narrower ones break more often;
-/// forecasts use the adapted value. (heap 500)
+/// Spread: deviation per distance travelled. Envelopes use the maximum, as narrow ones break; forecasts adapt it. (heap 500)
 constexpr float first_spread = 0.02f, least_spread = 0.002f, most_spread = 0.1f;
 
 /// Ticks in which a review has read the envelopes of all objects. (far: twice as many are a hundred at most)
@@ -55,8 +53,7 @@ constexpr std::size_t ticks_per_review = 48;
 /// mean sums of an envelope's sides, where rounding is some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
 constexpr float far_in_extents = 4, far_in_sizes = 1e4f;
 
-/// Successive queries after moves, without a tick, after which each further one counts as a tick: a program that only queries
-/// needs predictions, too. (ask)
+/// Queries after moves, without a tick, after which each further one counts as a tick, as programs may only query. (ask)
 constexpr std::uint32_t queries_to_ticks = 16;
 
 /// Collisions of the space without a move after which an object counts as still. Some programs collide more than once per step.

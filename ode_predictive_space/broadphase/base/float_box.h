@@ -54,7 +54,7 @@ struct FloatBox
     FloatBox merged(const FloatBox &other) const { return of(merged_lows(other), merged_highs(other).last_three()); }
 
     float doubled_centre(int axis) const { return low[axis] + high[axis]; }
-    /// All axes in the first three lanes; the fourth is undefined.
+    /// doubled_centre() of all axes in the first three lanes; the fourth is undefined.
     Float4 doubled_centres() const { return Float4::load(low) + Float4::load(low + 2).last_three(); }
 
     /// Half the surface area: the cost measure of a tree.

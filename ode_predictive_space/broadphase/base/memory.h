@@ -11,8 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// Resizes an array and gives memory back when it shrinks. Growth reserves a quarter more; doubling, as vectors do, would leave
-/// a third of the memory of a large scene unused.
+/// Growth reserves a quarter more, as doubling leaves a third of a large array unused. Shrinking gives memory back.
 template <typename T, typename Allocator> void resize_array(std::vector<T, Allocator> &elements, std::size_t count)
 {
     const bool shrinks = count < elements.size();

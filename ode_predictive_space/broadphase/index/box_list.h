@@ -14,7 +14,6 @@
 
 namespace ode_predictive_space
 {
-/// Objects with their boxes, in blocks of four so that a probe is compared with four boxes at once.
 class BoxList
 {
 public:

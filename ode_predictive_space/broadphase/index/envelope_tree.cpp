@@ -12,7 +12,7 @@ Float4 half_areas(const Float4 *sides)
     return sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
 }
 
-// The place whose box grows least by merging another. A small weight of the size prefers the smaller of similar boxes.
+// The place whose box grows least when another is merged into it. A small weight of the size prefers small boxes.
 std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, const FloatBox &box)
 {
     Float4 sides[3], grown_sides[3];
@@ -276,7 +276,6 @@ void EnvelopeTree::take_out(Index place)
     }
 }
 
-// Fits the boxes around the node, and those above it, to their contents.
 void EnvelopeTree::refit_upwards(Index index)
 {
     for (Index place = nodes_[index].parent; place != none; place = node_of(place).parent)

@@ -94,7 +94,6 @@ private:
     using Overfull = std::array<Entry, width + 1>;
 
     template <typename Probe, typename Visit> void walk_below(Index node, const Probe &probe, const Visit &visit) const;
-    /// Calls visit(content) for each place of the node that the probe overlaps.
     template <typename Probe, typename Visit> static void look_at(const Node &node, const Probe &probe, Visit visit)
     {
         for (unsigned hits = probe.overlaps(node.boxes) & ~(~0u << node.count); hits != 0; hits &= hits - 1)

@@ -24,7 +24,6 @@ std::size_t sampled(std::size_t i, std::size_t count)
     return static_cast<std::size_t>((std::uint64_t{fraction} * count) >> 32);
 }
 
-// Mean and variance of value(box), from a sample.
 struct Moments
 {
     double mean = 0, variance = 0;

@@ -43,7 +43,6 @@ public:
     /// @pre for this and the next three: note_new_pair() was called for the object.
     bool allows_check(ProxyId id) const { return accounts_[id].balance >= 0; }
 
-    /// An earlier check has saved a report.
     void note_spared(ProxyId id)
     {
         Account &account = accounts_[id];

@@ -46,7 +46,7 @@ public:
     /// @param by_shape the pair is reported only if its shapes may touch.
     void add(const CandidatePair &pair, bool by_shape) { (by_shape ? by_shape_ : by_box_).active.push_back(pair); }
 
-    /// The object gets a new envelope, or is gone: its pairs are stale.
+    /// The object gets a new envelope or is removed: its pairs are stale.
     void retire(ProxyId id)
     {
         disturb(id);
@@ -179,7 +179,7 @@ private:
     }
 
     NearPairs by_box_, by_shape_;
-    std::vector<GapCache> gaps_;     // of by_shape_.active, as far as already tested
+    std::vector<GapCache> gaps_;     // by index of by_shape_.active; pairs without a test yet have none
     IdSet resting_;                  // objects with resting pairs
     std::vector<ProxyId> disturbed_; // objects whose resting pairs must become active
     std::vector<ProxyId> newly_resting_;

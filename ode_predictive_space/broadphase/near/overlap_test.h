@@ -38,7 +38,7 @@ struct OverlapTest
     }
 
 private:
-    // The result in single precision. At most one is true.
+    // Results that are certain in single precision. At most one is true.
     struct Rough
     {
         bool apart, overlap;

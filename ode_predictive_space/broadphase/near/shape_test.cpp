@@ -33,7 +33,7 @@ bool touch_within(const ConvexShape &first, const ConvexShape &second, double ma
     return has_ball(first) && has_ball(second) && (second.centre - first.centre).squaredNorm() <= reach * reach;
 }
 
-// Whether the mesh's hull can hardly prove a gap to a shape at this point. Terrain has no hull.
+// Whether a shape at this point is most likely inside the mesh's hull, which then proves no gap. Terrain has no hull.
 bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
 {
     return mesh.kind == ShapeKind::terrain ||
@@ -59,8 +59,7 @@ bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, doubl
              surface_gap(first, second, distance).length > distance);
 }
 
-// The gap between the hulls; if they have none, the gap to the surface of one. The search between hulls is skipped for a shape
-// whose centre is in the box of a mesh, because it is most likely in its hull, too.
+// The gap between the hulls; without one, the gap to a surface. A shape inside a mesh's hull skips the first search.
 Gap ShapeTest::gap_between(const CandidatePair &pair, const GapCache &cache, double margin)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];

@@ -1,6 +1,6 @@
 // Disabled objects. They are in no reported pair, so the near set holds no pairs of them. ODE enables and disables geoms
-// without notice. A disabled object is found when it gets a new envelope, or when one of its pairs is to be reported. From then
-// on it is polled, so that it takes part again from the tick at which it is enabled.
+// without notice. A disabled object is found when it gets a new envelope, or when the report reaches one of its pairs. From
+// then on it is polled, so that it takes part again from the tick at which it is enabled.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H

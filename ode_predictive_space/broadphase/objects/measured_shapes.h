@@ -26,7 +26,7 @@ public:
 
     void resize(std::size_t count);
 
-    /// Drops the shape of an object that is gone or made of other data.
+    /// Drops the shape of an object that was removed or is made of other data.
     void forget(ProxyId id);
 
     /// Measures the wanted objects that have moved or have other data, adds to their travels, and continues awaited hulls.

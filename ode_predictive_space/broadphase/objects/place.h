@@ -1,5 +1,4 @@
-// The tight box and the envelope of an object, in one cache line. A notice of a move compares the two. An envelope never
-// expires: it is valid until the object leaves it.
+// The tight box and the envelope of an object, in one cache line. An envelope is valid until the object leaves it.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
@@ -52,7 +51,7 @@ enum class Followed
 {
     moved,            ///< inside the envelope
     same,             ///< inside the envelope, with an unchanged pose in single precision; the size may have changed
-    left_as_measured, ///< outside the envelope, with a known tight box
+    left_as_measured, ///< outside the envelope; the tight box is measured
     left              ///< outside the envelope, or not compared
 };
 
@@ -251,7 +250,7 @@ public:
     {
         return apart(one.tight_low(), one.tight_high(), other.tight_low(), other.tight_high());
     }
-    /// Whether the tight boxes overlap by more than they are enlarged, so that the program's do. @param doubt Origin::doubt().
+    /// Whether the tight boxes overlap by more than their enlargement, so the program's boxes do. @param doubt Origin::doubt().
     friend bool surely_overlap(const Place &one, const Place &other, Float4 doubt);
     /// Bounds of the enlargement of two tight boxes: a part of the farthest coordinate, and multiples of Origin::doubt().
     static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon(), most_doubts = 4;
@@ -329,8 +328,7 @@ private:
     }
 
     // Each array is loaded as a vector; the member after it is in the ignored fourth lane. While the centre is watched,
-    // tight_low_ and tight_high_ are the box of allowed centres, half_x_ is a digest, half_y_ the radius, half_z_ the allowed
-    // offset.
+    // tight_low_ and tight_high_ are the allowed centres, half_x_ is a digest, half_y_ the radius, half_z_ the allowed offset.
     float low_[3];
     float half_x_ = 0;
     float high_[3];

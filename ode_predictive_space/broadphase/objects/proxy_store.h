@@ -24,7 +24,7 @@ enum class TreeKind : std::uint8_t
 enum class Role : std::uint8_t
 {
     environment,       ///< by default
-    interactive,       ///< recognised, because the object moved without a body that has its velocity
+    interactive,       ///< recognised, because the object moved without a dynamic body
     fixed_environment, ///< set by the program
     fixed_interactive  ///< set by the program
 };

@@ -20,7 +20,7 @@ struct Carried
     float offset;    ///< largest coordinate of the offset
 };
 
-/// For the next prediction of an object. Lengths are in the scene's unit.
+/// The state of an object for its next prediction. Lengths are in the scene's unit.
 struct Observation
 {
     std::optional<Vector3> centre;   ///< the point about which the object turns; finite, none if unknown
@@ -32,7 +32,7 @@ struct Observation
 
 struct ConvexShape;
 
-/// Each call asks about many objects, so that the scene can prefetch them.
+/// The objects by number. Most calls ask about many at once, so that the scene can prefetch.
 class Scene
 {
 public:
@@ -50,7 +50,7 @@ public:
     /// Whether the shape's hull is out of date, or the awaited hull is no longer being made. Data change without notice.
     virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
 
-    /// Whether coordinates exceed single precision, so that moving the origin helps.
+    /// Whether coordinates are finer than single precision, so that moving the origin helps.
     virtual bool is_in_double_precision() const { return true; }
 
     virtual Box bounds(ProxyId id) = 0;

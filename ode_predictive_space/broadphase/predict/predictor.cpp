@@ -104,8 +104,7 @@ struct Predictor::Motion
     }
 };
 
-// The error is the distance from the path, not from the predicted position, because steps may vary. An object that has moved
-// backwards is compared with the beginning of the path.
+// The error is the distance from the path, as steps may vary; an object that moved backwards is compared with its beginning.
 Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Tick now) const
 {
     Outcome outcome;
@@ -352,8 +351,8 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     record.leapt = false;
 }
 
-// An object whose centre is outside its envelope has leapt. It probably moves on as before, so its envelope leaps with it.
-// After a scene was set back, or got another origin, hardly any object needs a new prediction.
+// An object whose centre is outside its envelope has leapt. It probably moves on as before, so its envelope leaps with it. When
+// a scene is set back or gets another origin, hardly any object needs a new prediction.
 bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];

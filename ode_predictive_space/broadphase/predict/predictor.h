@@ -1,5 +1,4 @@
 // Predicts a path and an envelope for each object of a batch. In: tight boxes and observations. Out: envelopes and records.
-//
 // The path is of second degree; the deviation from it grows with time (the paper, sections 3 and 4). The envelope is the box
 // that both sweep until the path has covered the object's reach, or to the end of the horizon.
 
@@ -57,7 +56,7 @@ public:
     /// @pre the tight boxes of the batch are up to date.
     void predict(Scene &scene, ProxyStore &proxies, const Origin &origin, const std::vector<ProxyId> &batch, Tick now);
 
-    /// Samples the objects that the program queries. Called at the beginning of each tick.
+    /// Samples the objects of forecast queries. Called at the beginning of each tick.
     void sample(Scene &scene, const ProxyStore &proxies, Tick now) { samples_.sample(scene, proxies, now); }
 
     /// Counts a pair that is being dropped in the records of both objects: as useless if its tight boxes are apart.

@@ -39,7 +39,7 @@ struct ConvexShape : Pose
     double radius = 0;
     double size = 0;                        ///< the smallest diameter; infinite for half spaces and terrain
     double slack = 0;                       ///< distance at which colliders may find contacts by rounding of sizes
-    double place_slack = 0;                 ///< the same for rounding of positions
+    double place_slack = 0;                 ///< as above, by rounding of positions
     double slack_beside_own = 0;            ///< additional slack beside shapes of the same group
     double sliver_factor = 1;               ///< factor of `slack` and slack_beside_own, except beside a half space
     std::uint16_t group = 0;                ///< one bit
@@ -136,7 +136,7 @@ struct ConvexShape : Pose
             const double half = blunt_half(), across = radius + blunt_margin;
             return sum + std::sqrt(half * half + across * across) * (axes[2] - before.axes[2]).norm();
         }
-        // By the Cauchy-Schwarz inequality, this is at least the sum of half_side |change of axis|.
+        // This is at least the sum of half_side |change of axis| (Cauchy-Schwarz inequality).
         double squares = 0;
         int sides = 0;
         for (std::size_t i = 0; i < 3; ++i)

@@ -66,7 +66,6 @@ private:
         return std::max({direction.dot(corners[0]), direction.dot(corners[1]), direction.dot(corners[2])});
     }
 
-    // The gap from the triangle to the shape, along a direction of any length.
     double gap_along(const Vector3 &direction, const TriangleCorners &corners) const
     {
         const double length = direction.norm();

@@ -11,8 +11,7 @@ namespace ode_predictive_space
 /// the pair is not judged_by_shape(), and beside a half space, which touches a mesh only where it touches its hull.
 const ConvexShape *surface_of(const ConvexShape &first, const ConvexShape &second);
 
-/// A lower bound of the distance between the surface_of() two shapes and the other one, at most a few of its sizes. No axis is
-/// known. No gap without a surface.
+/// A lower bound of the distance between surface_of() the pair and the other shape, at most a few of its sizes. No axis.
 /// @param least the smallest useful gap: the search ends with the first triangle or cell that is no farther away.
 Gap surface_gap(const ConvexShape &first, const ConvexShape &second, double least);
 } // namespace ode_predictive_space

@@ -33,7 +33,6 @@ public:
     /// Approximate number of visited blocks. It grows as the square root of all (measured with spheres and tori).
     float work_of_reach() const { return std::sqrt(static_cast<float>(blocks_.size())); }
     std::size_t elements() const { return block_size * blocks_.size() + (surface ? surface->count() : 0); }
-    /// The point with the largest scalar product.
     Vector3 farthest(const Vector3 &direction) const;
 
     /// The built surface of a mesh or heightfield, in the coordinates of the constructor; null for other hulls.
