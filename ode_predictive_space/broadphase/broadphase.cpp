@@ -62,7 +62,7 @@ void Broadphase::find_new_pairs(Scene &scene)
     interrupted_ = false; // not finish(): the update number must not advance
 }
 
-// Objects outside their envelopes, and requested ones, join the batch.
+// Objects that are outside their envelopes, or have boundless ones, or are requested, join the batch.
 void Broadphase::measure_listed(Scene &scene)
 {
     if (!listing_.listed.has_work())

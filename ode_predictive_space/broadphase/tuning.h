@@ -109,8 +109,8 @@ constexpr unsigned reports_per_rest = 32;
 constexpr float cost_of_contacts = 1700;
 /// Instructions of a gap check without its search, and of the search per unit of Gap::work.
 constexpr float cost_of_check = 1200, cost_of_reach = 150;
-/// Part of cost_of_contacts that each report pays in for gap checks, and number of reports whose whole cost is a pair's
-/// allowance. After some 500 reports both sums are equal. (drum, meshes in meshes)
+/// Part of cost_of_contacts that a report without a check pays in for checks, and number of reports whose whole cost is a
+/// pair's allowance. After some 500 reports both sums are equal. (drum, meshes in meshes)
 constexpr float part_for_checks = 1.0f / 64, allowed_reports = 8;
 
 /// Search distance for the surface of a mesh or heightfield, in radii of the shape. (room 1,000)

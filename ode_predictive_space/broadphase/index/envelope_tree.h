@@ -63,7 +63,7 @@ public:
     std::size_t bytes() const;
 
 private:
-    using Index = std::int32_t; // of a node; or of a place: width * node + number of the place in it
+    using Index = std::int32_t; // index of a node, or of a place: width * node + number of the place in it
     static constexpr Index none = -1;
     static constexpr Index width = FourBoxes::most;
     static constexpr std::size_t walk_room = 256;

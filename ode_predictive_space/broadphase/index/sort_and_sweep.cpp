@@ -11,7 +11,7 @@ namespace ode_predictive_space
 namespace
 {
 constexpr float last_place = 65535; // on the sorted axis
-constexpr int bits_beside = 15;     // of places on the other axes, which are compared as signed numbers
+constexpr int bits_beside = 15;     // bits of places on the other axes, which are compared as signed numbers
 constexpr float places_beside = 1 << bits_beside;
 
 constexpr std::uint32_t last_key = 0x7fffffff;

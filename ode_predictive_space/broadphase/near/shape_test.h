@@ -21,13 +21,13 @@ enum class Payer : std::uint8_t
     nobody ///< the program has made an object of the pair interactive: checks are not limited
 };
 
-/// The result of a pair's last gap check. A new pair is checked when it is first tested.
+/// The result of a pair's last gap check, and the time of the next one. A new pair is due at its first test.
 struct GapCache
 {
     explicit GapCache(Payer pays) : payer(pays) {}
 
     double due = 0;         ///< sum of both travels up to which the pair is postponed; 0 if it is not
-    float axis[3] = {};     ///< of the last check, from the first object to the second
+    float axis[3] = {};     ///< the last check's axis, from the first object to the second
     std::uint8_t pause = 0; ///< reports until the next check, after checks that found no gap
     std::uint8_t last_pause = 0;
     bool is_excluded = false; ///< a filter excluded the pair when a check was last due

@@ -77,7 +77,7 @@ public:
 
 private:
     IdSet members_;
-    std::size_t count_ = 0;                  // of members_
+    std::size_t count_ = 0;                  // number of members_
     std::vector<ProxyId> polled_, disabled_; // scratch
 };
 } // namespace ode_predictive_space

@@ -14,8 +14,8 @@
 namespace ode_predictive_space
 {
 /// Holds shapes only of wanted objects, because most objects of a large scene are near no other. At each update of a shape, the
-/// travel of its object grows by at least the largest displacement of a surface point. So two shapes with a gap cannot touch
-/// before the sum of their travels has grown by that gap.
+/// travel of its object grows by at least the displacement of its surface. So two shapes with a gap cannot touch before the sum
+/// of their travels has grown by that gap.
 class MeasuredShapes
 {
 public:

@@ -37,13 +37,13 @@ inline bool is_interactive(Role role)
 /// The last prediction of an object, and the tests of its pairs since then.
 struct alignas(64) ProxyRecord
 {
-    float position[3];     ///< of the centre, where the path begins
+    float position[3];     ///< the centre, where the path begins
     float velocity[3];     ///< with a body in the program's unit, otherwise per tick
     float acceleration[3]; ///< per tick^2
     float reach;           ///< in sizes; adapts
     float spread;          ///< deviation per distance travelled; adapts
     float size;            ///< the largest side
-    float radius;          ///< of a sphere around the centre that holds the object; may be infinite
+    float radius;          ///< a sphere of it around the centre holds the object; may be infinite
     Tick since;            ///< the tick of the prediction, or of a later leap
     std::uint16_t tests;   ///< pairs that were tested since then
     std::uint16_t useless; ///< tested pairs that were apart at the end
@@ -157,7 +157,7 @@ private:
     }
 
     IdSet members_;
-    std::size_t count_ = 0;     // of members_
+    std::size_t count_ = 0;     // number of members_
     std::size_t hands_ = 0;     // members with Role::fixed_interactive
     std::vector<ProxyId> free_; // the next number last; has room for all
 };

@@ -24,7 +24,7 @@ struct Carried
 struct Observation
 {
     std::optional<Vector3> centre;   ///< the point about which the object turns; finite, none if unknown
-    double radius = 0;               ///< of a sphere around the centre that holds the object; infinite if unknown
+    double radius = 0;               ///< a sphere of it around the centre holds the object; infinite if unknown
     std::optional<Vector3> velocity; ///< in the program's unit; none without a dynamic body
     std::optional<Carried> carried;  ///< if notices compute the centre from a body and an offset
     bool is_costly = false;          ///< contacts of the shape are costly to find: it has many points or triangles
@@ -44,7 +44,7 @@ public:
     virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) = 0;
 
     /// Brings shapes up to date, in the order of `ids`. The default is for scenes without shapes.
-    /// @param moves receives upper bounds of surface points' displacements since the last call; infinite for a replaced shape.
+    /// @param moves receives upper bounds of the surfaces' displacements since the last call; infinite for a replaced shape.
     virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves);
 
     /// Whether the shape's hull is out of date, or the awaited hull is no longer being made. Data change without notice.

@@ -43,7 +43,7 @@ struct Forecast
     bool known() const { return ticks > 0; }
     bool still() const { return ticks == std::numeric_limits<double>::infinity(); }
 
-    /// Two envelopes that hold the object as it turns. The first is closer at first, the second later.
+    /// Two envelopes that hold the object as it turns. The first is tighter at the beginning, the second later.
     Envelope turning_on() const;
     Envelope turned_anyhow() const;
 };

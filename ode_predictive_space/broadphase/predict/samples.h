@@ -16,7 +16,7 @@ namespace ode_predictive_space
 {
 struct QueryTime
 {
-    Tick tick;                ///< of the present poses: the next tick if something has moved since the last
+    Tick tick;                ///< tick of the present poses: the next one if something has moved since the last
     std::uint64_t collisions; ///< number of collisions of the space, with and without moves
 };
 

@@ -20,7 +20,7 @@ enum class ShapeKind : std::uint8_t
     unknown,  ///< only the bounding box is known
     rounded,  ///< all points up to `radius` from a box whose sides may be 0: spheres, capsules, boxes
     cylinder, ///< along axes[2], with half_sides[2] and `radius`
-    hull,     ///< of many points, inside the box of half_sides
+    hull,     ///< many points, inside the box of half_sides
     terrain,  ///< a heightfield, solid below; its grid lies around the centre, axes[1] is up
     half_space
 };
@@ -47,7 +47,7 @@ struct ConvexShape : Pose
     std::uint16_t blunt_beside = 0;         ///< groups beside which a capsule or cylinder counts as blunt()
     bool awaits_hull = false;               ///< the shape is unknown until the hull of its data is made
     double blunt_margin = 0;                ///< enlargement of blunt() on all sides
-    std::shared_ptr<const VertexHull> hull; ///< of a hull or terrain, relative to centre and axes
+    std::shared_ptr<const VertexHull> hull; ///< data of a hull or terrain, relative to centre and axes
 
     Vector3 along_axes(const Vector3 &direction) const
     {

@@ -13,7 +13,7 @@ namespace
 {
 using Box = Eigen::AlignedBox3d;
 
-constexpr double most_periods = 4; // of a repeating terrain that are searched
+constexpr double most_periods = 4; // maximum search extent in a repeating terrain
 
 class SeenFromTerrain
 {

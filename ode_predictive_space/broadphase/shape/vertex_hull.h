@@ -76,7 +76,7 @@ private:
 
     Vector3 centre_ = Vector3::Zero(), half_sides_ = Vector3::Zero();
     std::vector<Block> blocks_;
-    std::vector<Bounds> bounds_; // of the ranges of blocks
+    std::vector<Bounds> bounds_; // indexed by Range::node
 };
 } // namespace ode_predictive_space
 
