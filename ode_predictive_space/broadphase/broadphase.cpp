@@ -17,7 +17,7 @@ namespace ode_predictive_space
 
 void Broadphase::update(Scene &scene, bool is_tick)
 {
-    // All objects get present numbers before one that is half of all numbers old could be taken for a later one.
+    // Starting over renews the update numbers of all objects before the wrap-around could make an old number a later one.
     constexpr UpdateNumber half_of_all = Place::last_update / 2 + 1;
     if (next_origin_)
         move_origin(*next_origin_);
@@ -59,10 +59,10 @@ void Broadphase::find_new_pairs(Scene &scene)
     catch_up(scene);
     interrupted_ = true;
     find_pairs(scene);
-    interrupted_ = false; // no update: none of their numbers is left out
+    interrupted_ = false; // not finish(): the update number must not advance
 }
 
-// Measures the listed objects. Those that are not in their envelopes get new ones.
+// Objects that are outside their envelopes, or have boundless ones, or are requested, join the batch.
 void Broadphase::measure_listed(Scene &scene)
 {
     if (!listing_.listed.has_work())
@@ -77,7 +77,7 @@ void Broadphase::measure_listed(Scene &scene)
         Place &place = proxies_.places[id];
         place.note_doubtful_move(clock_.update);
 #ifdef ODE_PREDICTIVE_SPACE_WITHOUT_VERIFY
-        // Only for the test which shows that the differential test notices when predictions are trusted blindly.
+        // For the test which shows that the differential test fails when predictions are not verified.
         const bool holds = place.has_envelope();
 #else
         const bool holds = place.holds() && !place.is_boundless();
@@ -87,7 +87,7 @@ void Broadphase::measure_listed(Scene &scene)
         if (holds && !is_requested)
             return near_.disturb(id);
         if (is_requested)
-            place.forget_envelope(); // it gets a new one even if it leaps
+            place.forget_envelope(); // prevents a leap, so that it gets a new one
         near_.retire(id);
         batch_.add(id);
     });
@@ -132,7 +132,7 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
     clear_scratch(pairing_.found);
 }
 
-// Objects that may be near others are watched by their tight boxes. A new envelope around a sphere becomes one around that box.
+// Objects whose envelopes meet are watched by their tight boxes. New envelopes shrink from bounding spheres to these boxes.
 void Broadphase::make_tight(Scene &scene, const Batch &batch)
 {
     clear_scratch(listing_.current);
@@ -184,8 +184,7 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     return static_cast<std::size_t>(end - room.data());
 }
 
-// The one step that is allowed in any state, also in one that an exception left: everything that was derived from positions is
-// forgotten, and the next look finds it again.
+// Discards everything derived from positions; the next measure finds it again. Valid in any state, also after an exception.
 void Broadphase::start_over()
 {
     resize_stages();
@@ -203,7 +202,7 @@ void Broadphase::start_over()
     });
 }
 
-// When all objects are far from the origin, rounding makes their boxes too large: the next update moves it.
+// When all objects are far from the origin, rounding enlarges their boxes, so the next update moves it near them.
 void Broadphase::review(Scene &scene)
 {
     const std::optional<Vector3> middle = predictor_.review(proxies_);
@@ -211,7 +210,7 @@ void Broadphase::review(Scene &scene)
         next_origin_ = origin_.place() + *middle;
 }
 
-// What is known of places is relative to the last origin, so the update starts over, and objects are predicted as new ones are.
+// Stored coordinates are relative to the old origin, so the update starts over and predicts all objects as new ones.
 void Broadphase::move_origin(const Vector3 &origin)
 {
     interrupted_ = true;
@@ -221,13 +220,13 @@ void Broadphase::move_origin(const Vector3 &origin)
     predictor_.forget_reviews();
 }
 
-// The later of two times before which two objects are apart; none when either test keeps them apart for good.
+// The later of two times until which two objects are apart; none if either is none, as then they stay apart.
 static std::optional<double> later(std::optional<double> one, std::optional<double> other)
 {
     return one && other ? std::max(one, other) : std::nullopt;
 }
 
-// --- Questions ------------------------------------------------------------------------------------------------------------
+// --- Queries --------------------------------------------------------------------------------------------------------------
 
 Forecast Broadphase::forecast(Scene &scene, ProxyId id, std::uint64_t collisions)
 {
@@ -304,7 +303,7 @@ ProxyId Broadphase::add()
     return id;
 }
 
-// ODE removes geoms in their destructors. When memory runs out here, the next update starts over.
+// ODE removes geoms in destructors, so nothing may be thrown: if memory runs out, the next update starts over.
 void Broadphase::remove(ProxyId id)
 {
     listing_.listed.erase(id);
@@ -352,11 +351,11 @@ void Broadphase::resize_stages()
     listing_.requested.resize(size);
 }
 
-// Most objects are gone. What is known of the others is given up with the memory: the next update finds it again.
+// Gives memory back after most objects were removed. The next update starts over, because the derived state goes with it.
 void Broadphase::trim()
 {
     const std::size_t size = proxies_.size();
-    trim_below_ = (proxies_.count() + 1) / 2; // also when the last one is removed
+    trim_below_ = (proxies_.count() + 1) / 2; // rounded up, so that removing the last object trims, too
     if (2 * proxies_.needed_size() > size)
         return;
     interrupted_ = true;
@@ -386,13 +385,13 @@ void Broadphase::set_proximity_test(ProximityTest test)
     else if (!shapes_.in_use())
         shapes_.start(proxies_.size());
     proximity_test_ = test;
-    interrupted_ = true; // what is known of pairs is of the other test
+    interrupted_ = true; // pair states belong to the former test
 }
 
 void Broadphase::set_shape_margin(double margin)
 {
     shape_margin_ = margin;
-    interrupted_ = true; // as above
+    interrupted_ = true; // pair states belong to the former margin
 }
 
 void Broadphase::set_settings(const PredictionSettings &settings)

@@ -1,7 +1,7 @@
 // The half that is loaded into every process: functions with the names of ODE's, which the dynamic linker finds first.
 //
-// In a process without ODE only the program file is read, once at the start. Compiled without exceptions and linked with the C
-// library alone, so that /bin/sh loads nothing else either.
+// In a process without ODE only the program file is read, once at the start. This half is compiled without exceptions and
+// linked with the C library alone, so that /bin/sh loads nothing else.
 
 #include <cerrno>
 #include <climits>
@@ -36,14 +36,14 @@ struct Caller
 {
     const link_map *map;
     const char *name;
-    const Ode *ode; // 0: it sees none. A call that seems to be its own came by a jump from another object
+    const Ode *ode; // 0 if none is visible to it: a call that seems to be its own is a jump from another object
     const Caller *next;
 };
 
 // Callers are added at the front, under the lock, and never removed, so that they can be read without it.
 //
-// A thread that holds the lock must not call the dynamic linker: a thread that holds the lock of the linker may run the constructors
-// of a library, which may call ODE.
+// A thread that holds the lock must not call the dynamic linker: a thread that holds the lock of the linker may run the
+// constructors of a library, which may call ODE.
 pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 const Caller *callers;
 constexpr int most_odes = 16;
@@ -66,8 +66,8 @@ template <std::size_t size> bool path_of_substitute(char (&path)[size])
     return std::snprintf(path, size, "%.*s%s", length, name, SUBSTITUTE_FILE) < static_cast<int>(size);
 }
 
-// Loading the substitute also loads the ODE that it was built with. If the program's ODE were another one, the process would have
-// two.
+// Loading the substitute also loads the ODE that it was built with. If the program's ODE were another one, the process would
+// have two.
 bool is_expected_library(const Ode &ode)
 {
     return find_loaded(ODE_SONAME).map == ode.object.map;
@@ -216,8 +216,8 @@ const Ode *ode_seen_by(const char *function, const link_map *map)
     std::exit(127);
 }
 
-// Finds the ODE for a call that came by a jump: the one whose library has the virtual functions of the geom, or else the only one
-// in the process.
+// Finds the ODE for a call that came by a jump: the one whose library has the virtual functions of the geom, or else the only
+// one in the process.
 const Ode *ode_by_jump(const char *function, const void *geom)
 {
     const link_map *maker = geom ? object_at(*static_cast<const void *const *>(geom)) : nullptr;
@@ -238,8 +238,8 @@ bool is_from_own_library(const void *return_address)
     return slash && std::strncmp(slash + 1, "libode_predictive_space.so", 26) == 0;
 }
 
-// A program may be linked with that library, too. When the library checks ODE at the program's start, the substitute must not be
-// loaded, because it would wait for the same check.
+// A program may be linked with that library, too. When the library checks ODE at the program's start, the substitute must not
+// be loaded, because it would wait for the same check.
 const Ode *ode_of_own_library(const char *function, const void *return_address)
 {
     static const Ode *seen;
@@ -316,7 +316,8 @@ void collide2(const Ode &ode, dGeomID first, dGeomID second, void *data, dNearCa
 
 #define RETURN_ADDRESS __builtin_return_address(0)
 
-// The functions that dlsym() returns to programs. They have the types of ODE's functions and are meant for the ODE that is served.
+// The functions that dlsym() returns to programs. They have the types of ODE's functions and are meant for the ODE that is
+// served.
 const Ode &looked_up_ode()
 {
     return *__atomic_load_n(&served_ode, __ATOMIC_ACQUIRE);

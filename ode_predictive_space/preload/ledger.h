@@ -38,10 +38,10 @@ struct SpaceCounts
 class Ledger
 {
 public:
-    /// A space was made, perhaps at the address of one that is gone.
+    /// Adds a new space, which may have the address of a destroyed one.
     void made(dSpaceID space, bool is_substitute);
 
-    /// Is it a predictive space in the place of one of ODE's that the program asked for?
+    /// Whether the space is a predictive one in place of a space of ODE that the program made.
     bool is_substitute(dSpaceID space) const;
 
     /// The number of a space, as in its counts.
@@ -54,15 +54,14 @@ public:
         change(*known(space).counts);
     }
 
-    /// Keeps all other threads out: a process that forks takes the lock with it, and of its threads only the one that forks.
+    /// Keeps all other threads out during a fork: the child inherits the lock, but only the forking thread.
     void lock() { mutex_.lock(); }
     void unlock() { mutex_.unlock(); }
 
-    /// This process was forked, with the lock: its calls are counted from now on.
+    /// Releases the lock in a forked child, and counts the child's own calls from now on.
     void begin_in_child();
 
-    /// For each space a line with its calls and times, and for a predictive one a second line with its counters. Empty when the
-    /// process had no space.
+    /// A line per space with its calls and times; a predictive space has a second line with its counters. Empty without spaces.
     std::string statistics() const;
 
 private:

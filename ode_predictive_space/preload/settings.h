@@ -14,8 +14,8 @@ struct Settings
 {
     std::set<int> replaced;         ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
     int proximity;                  ///< a dPredictiveProximity constant
-    bool stats = false;             ///< at exit, say what each space did
-    std::string stats_file;         ///< where; empty: on standard error
+    bool stats = false;             ///< write statistics of each space at exit
+    std::string stats_file;         ///< file of the statistics; empty: standard error
     std::string trace_file;         ///< a line for every collide; empty: none
     std::string record_file;        ///< the recording; empty: none
     std::uint64_t record_limit = 0; ///< bytes

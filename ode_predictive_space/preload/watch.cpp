@@ -35,26 +35,26 @@ double processor_time()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Measures the ticks of a thread, without the time for recording. A tick ends with an outermost collide, one that is not called by
-// a callback of another.
+// Measures the ticks of a thread, without the time for recording. A tick ends with an outermost collide, which is not called by
+// a callback of another one.
 class TickClock
 {
 public:
-    /// To be called before the begin of a collide is recorded.
+    /// Must be called before the begin of a collide is recorded.
     void begin_recording()
     {
         paused_ = processor_time();
         ++depth_;
     }
 
-    /// To be called when its begin, or its end, has been recorded.
+    /// Must be called when the begin or the end of a collide has been recorded.
     void end_recording() { recording_ += processor_time() - paused_; }
 
     void pause() { paused_ = processor_time(); }
 
-    /// To be called at the end of a collide, between pause() and end_recording().
+    /// Must be called at the end of a collide, between pause() and end_recording().
     ///
-    /// @return the seconds of the tick that ends; 0 for the first one; negative when the tick goes on.
+    /// @return the seconds of the tick that ends; 0 for the first one; negative if the tick continues.
     double end_collide()
     {
         if (--depth_ > 0)
@@ -64,8 +64,8 @@ public:
     }
 
 private:
-    double since_ = -1;    // end of the tick before, in processor time without recording
-    double recording_ = 0; // of all recording
+    double since_ = -1;    // end of the last tick, in processor time without recording
+    double recording_ = 0; // time of all recording
     double paused_ = 0;
     int depth_ = 0;
 };
@@ -89,8 +89,8 @@ double cost_of_clock()
     return cost;
 }
 
-// Makes a file of this name. When it exists already, the number of this process is appended, and a further number when that file
-// exists, too: another process or an earlier program in this process may have made it.
+// Makes a file of this name. When it exists already, the number of this process is appended, and a further number when that
+// file exists, too: another process or an earlier program in this process may have made it.
 recording::HistoryFile new_file(const std::string &name, std::string &path)
 {
     const std::string numbered = name + "." + std::to_string(getpid());
@@ -254,8 +254,8 @@ void Watch::end_recording()
         say("%s could not be written to its end", recorded_file_.c_str());
 }
 
-// Calls the callbacks after the collide, in an order that does not depend on the space. A deterministic program then does the same
-// with all spaces that report the same pairs.
+// Calls the callbacks after the collide, in an order that does not depend on the space. A deterministic program then does the
+// same with all spaces that report the same pairs.
 void Watch::trace(Call &call)
 {
     const std::uint64_t hash = put_in_order(call.kept);

@@ -13,7 +13,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// Measures, traces and records the collides of a process, as the settings ask. Lives until the process ends.
+/// Measures, traces and records the collides of a process by its settings. Lives until the process ends.
 class Watch
 {
 public:
@@ -23,11 +23,11 @@ public:
     void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);
     Ledger &ledger() { return ledger_; }
 
-    /// To be called before this process forks and afterwards in the parent: no other thread records in between.
+    /// Must be called before this process forks, and afterwards in the parent: no other thread records in between.
     void hold_recording() { recording_.lock(); }
     void resume_recording() { recording_.unlock(); }
 
-    /// To be called afterwards in the child, which begins another recording.
+    /// Must be called after a fork in the child, which begins another recording.
     void begin_recording_in_child();
 
     /// Ends the recording, and writes the statistics to where they are wanted.
@@ -51,7 +51,7 @@ private:
     std::mutex recording_;                   // guards the next three
     std::unique_ptr<recording::Recorder> recorder_;
     std::string recorded_file_;
-    bool records_ = false; // wanted, and the file could be written
+    bool records_ = false; // a recording is wanted, and its file can be written
 };
 } // namespace ode_predictive_space::preload
 

@@ -8,7 +8,7 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// In fewer collides the first ones dominate, in which a predictive space makes its envelopes.
+// Minimum number of collides for an advice: the first ones, in which a predictive space makes its envelopes, must not dominate.
 constexpr std::size_t fewest_events = 50;
 constexpr double least_gain = 0.02; // of a tick
 
@@ -85,7 +85,7 @@ std::string line_to_change(const Findings &findings, Advice advice)
            (advice == Advice::use_by_shape ? " --proximity shape." : ".");
 }
 
-// With the program's own spaces.
+// The tick with the program's own spaces.
 double whole_tick(const Findings &findings)
 {
     const ReplayedSpace *own = replayed(findings, findings.own), *recorded = replayed(findings, findings.tick->kind);

@@ -18,10 +18,10 @@ struct ReplayedSpace
     SpaceKind kind;
     std::vector<double>
         costs;         ///< of each replay: collide and the notices before it; empty when the spaces end the program
-    double spared = 0; ///< what dCollide() takes for the callbacks that these spaces spare
+    double spared = 0; ///< time of dCollide() for the callbacks that these spaces leave out
 };
 
-/// The program as it was recorded, likewise.
+/// The program as it was recorded. Times in microseconds per event.
 struct RecordedTick
 {
     double whole = 0;                ///< processor time of the thread that collides, from one collide to the next
@@ -38,16 +38,16 @@ struct Findings
     std::optional<RecordedTick> tick; ///< not known of a recording that was not made by the launcher
 };
 
-/// The time that a tick would be shorter, as a share of the tick with the program's own spaces. In the program all spaces are slower
-/// than in a replay, whose data stay in the processor's caches. All are taken to be slower by the same time. That is cautious: a
-/// space that reads more memory loses more.
+/// The saved part of a tick, relative to the tick with the program's own spaces. In the program, all spaces are slower than in
+/// a replay, whose data stay in the processor's caches. The estimate assumes the same delay for all, which is cautious: a space
+/// that reads more memory loses more.
 struct Gain
 {
     double share;  ///< median of the replays
     double spread; ///< largest less least
 };
 
-/// None when one of the two ends the program, or when ticks are not known.
+/// None if one of both kinds of spaces ends the program, or if ticks are unknown.
 std::optional<Gain> gain_of(const Findings &findings, SpaceKind kind);
 
 enum class Advice

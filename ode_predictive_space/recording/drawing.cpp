@@ -12,11 +12,11 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// In pixels of the drawing.
+// Pixels of the drawing.
 constexpr double width = 820, height = 300;
 constexpr double left = 70, right = 30, top = 10, bottom = 45;
 
-// Okabe and Ito's colours, which people who confuse colours tell apart.
+// Okabe and Ito's colours, which colour-blind people can distinguish.
 constexpr const char *colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 
 std::string number(double value, const char *format = "%.6g")
@@ -26,7 +26,7 @@ std::string number(double value, const char *format = "%.6g")
     return text;
 }
 
-/// One axis: from values to pixels.
+/// An axis, which maps values to pixels.
 struct Axis
 {
     double low;

@@ -29,15 +29,15 @@ enum class RecordKind : std::uint8_t
     mesh,     ///< id, single, vertex count, triangle count; vertices, indices
     convex,   ///< id, plane count, point count, number of polygon entries; planes, points, polygons as ODE has them
     body,     ///< id, mask of body_field; the fields that differ from before, in this order
-    geom,     ///< id, class (1 byte; a class of ODE's, or stand_in), mask of geom_field; likewise
+    geom,     ///< id, class (1 byte; a class of ODE's, or stand_in), mask of geom_field; as for `body`
     gone,     ///< id of a geom that has left its space; the id is not used again
     collide,  ///< id of a space: dSpaceCollide()
     collide2, ///< ids of two geoms: dSpaceCollide2()
     pairs,    ///< number of the event (collide or collide2, from 0), number of pairs, hash of them
     end,      ///< EndReason (1 byte); nothing follows. A program that crashed leaves none.
     heights, ///< id, columns, rows, repeats (1 byte); width, depth, scale, offset, thickness, lowest, highest; samples (8 bytes each)
-    notices, ///< (id of a geom, number of its notices) for each geom with another number than expected: 1 when its pose, its body's
-        ///< pose or its box has changed, else, and when it is new, 0
+    notices, ///< (id of a geom, number of its notices) for each geom with an unexpected number. Expected is 1 if its pose, its
+        ///< body's pose or its box has changed, otherwise, and for a new geom, 0.
     times, ///< number of the event, EventTimes; only of outermost events
     last = times
 };
@@ -86,7 +86,7 @@ constexpr std::uint16_t all_of_version_1 = 1023;
 
 constexpr std::uint8_t geom_enabled = 1, ray_first_contact = 2, ray_backface_cull = 4, ray_closest_hit = 8;
 
-/// The class of a geom of which only the bounding box is recorded: a user class, or a geom whose data cannot be read.
+/// The class of a geom with only its bounding box recorded: of a user class, or with unreadable data.
 constexpr std::uint8_t stand_in = 255;
 
 /// The class of a heightfield that is not placeable.
@@ -99,25 +99,25 @@ bool is_space_class(int geom_class);
 
 bool is_heightfield(int geom_class);
 
-/// A mesh, convex or heightfield.
+/// True for a mesh, convex or heightfield.
 bool has_data(int geom_class);
 
-/// Has a position and a rotation.
+/// Whether geoms of the class have a position and a rotation.
 bool is_placeable_class(int geom_class);
 
-/// A reader refuses more notices of a geom.
+/// Maximum number of notices of a geom; a reader refuses more.
 constexpr std::uint32_t most_notices = 1000;
 
-/// Does not depend on the order of the two; the sum of several does not depend on the order of pairs.
+/// Independent of the order of the two. A sum of hashes is independent of the order of pairs.
 std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second);
 
-/// A larger convex is not recorded, and refused by a reader: ODE compares each of its edges with all others.
+/// Maximum size of a convex, as ODE compares each edge with all others. A larger one is not recorded; a reader refuses it.
 constexpr std::uint32_t most_polygon_entries = 10000;
 
-/// A reader refuses more vertices or triangles of a mesh, or samples of a heightfield.
+/// Maximum number of vertices or triangles of a mesh, or of samples of a heightfield; a reader refuses more.
 constexpr std::uint32_t most_of_mesh = 100000000;
 
-/// Spaces in spaces.
+/// Maximum depth of spaces in spaces.
 constexpr std::uint32_t deepest_nesting = 100;
 } // namespace ode_predictive_space::recording
 

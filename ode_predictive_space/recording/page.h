@@ -37,7 +37,7 @@ struct Plot
     bool logarithmic = false; ///< the y axis
 };
 
-/// The part of a page that comes first and answers a question.
+/// The first part of a page, which answers its question.
 struct Answer
 {
     std::string sentence;                        ///< empty: there is no answer

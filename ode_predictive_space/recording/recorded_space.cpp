@@ -1,5 +1,5 @@
-// dPredictiveSpaceRecord(), and listeners to notices. A recorded space gets other virtual functions, so that one that is not recorded
-// costs nothing more.
+// dPredictiveSpaceRecord(), and listeners to notices. A recorded space gets other virtual functions, so that one that is not
+// recorded costs nothing more.
 
 #include <algorithm>
 #include <cerrno>
@@ -39,8 +39,8 @@ struct RecordedSpaces
 
 RecordedSpaces &recorded_spaces();
 
-// The lock is held during a fork, because the child has no other thread that could release it. The child has no listeners. A recording
-// of dPredictiveSpaceRecord() goes on in both processes, in one file.
+// The lock is held during a fork, because the child has no other thread that could release it. The child has no listeners. A
+// recording of dPredictiveSpaceRecord() continues in both processes, in one file.
 void keep_usable_in_children()
 {
     pthread_atfork([] { recorded_spaces().mutex.lock(); }, [] { recorded_spaces().mutex.unlock(); },
@@ -121,8 +121,8 @@ public:
         call.event.end();
     }
 
-    // For two spaces ODE calls this for each geom of one of them. A call for a whole space is not recorded, because a replay would make
-    // one call for each of its geoms.
+    // For two spaces ODE calls this for each geom of one of them. A call for a whole space is not recorded, because a replay
+    // would make one call for each of its geoms.
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override
     {
         Recorder *const recorder = recorder_of(this);
@@ -137,11 +137,11 @@ static_assert(sizeof(RecordedSpace) == sizeof(dxPredictiveSpace), "it has no mem
 
 template <typename Space> void give_functions_of(dxPredictiveSpace *space)
 {
-    static const auto *prototype = new Space(nullptr); // never destroyed: there are spaces that have its functions
+    static const auto *prototype = new Space(nullptr); // never destroyed, because spaces use its functions
     std::memcpy(static_cast<void *>(space), static_cast<const void *>(prototype), sizeof(void *));
 }
 
-// The caller holds the lock.
+// @pre the caller holds the lock.
 Recorded &entry_of(dxPredictiveSpace *space)
 {
     const auto [place, is_new] = recorded_spaces().all.try_emplace(space);
@@ -150,7 +150,7 @@ Recorded &entry_of(dxPredictiveSpace *space)
     return place->second;
 }
 
-// Likewise.
+// @pre the caller holds the lock.
 void leave_if_unused(dxPredictiveSpace *space)
 {
     const auto place = recorded_spaces().all.find(space);

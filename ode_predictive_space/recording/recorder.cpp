@@ -229,8 +229,8 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     auto [place, is_new] = geoms_.try_emplace(geom, Known{next_geom_, 0, {}});
     Known &known = place->second;
     std::uint16_t fields = is_new ? geom_field::all : difference(known.state, state);
-    // Another geom at this address, or one that has moved to another space, which counts as new: ODE's own spaces leave data in a
-    // geom that other spaces fail on.
+    // Another geom at this address counts as new, and so does one that has moved to another space: ODE's spaces leave stale
+    // state in a geom, on which other spaces fail.
     if (!is_new && (fields & (geom_field::is_new | geom_field::parent)))
     {
         Record(buffer_, RecordKind::gone).add(known.id);
@@ -239,7 +239,8 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     }
     if (fields == geom_field::all)
         ++next_geom_;
-    // A new pose of the body changes the pose of a geom with an offset. It is recorded, so that a replay has it to the last bit.
+    // A new pose of the body changes the pose of a geom with an offset. It is recorded, so that a replay has it to the last
+    // bit.
     if (body_changed && has_own_pose(state))
         fields |= geom_field::pose;
     known.seen = walk_;
@@ -285,7 +286,7 @@ void Recorder::write_notices()
         record.add(each);
 }
 
-// From the last geom to the first, because a space inserts new geoms at the front: a replay then has the same order.
+// Visits the geoms from last to first, because a space inserts new geoms at the front: a replay then has the same order.
 void Recorder::visit_members(dSpaceID space, bool is_collide)
 {
     std::vector<dGeomID> members;

@@ -24,15 +24,15 @@
 
 namespace ode_predictive_space::recording
 {
-/// Records any number of spaces of any kind. Calls from several threads are safe; changes that another thread makes meanwhile may be
-/// recorded in part. When memory runs out, the recording ends after its last whole record, and the program goes on.
+/// Records any number of spaces of any kind. Calls from several threads are safe; changes that another thread makes meanwhile
+/// may be recorded in part. When memory runs out, the recording ends after its last whole record, and the program continues.
 class Recorder
 {
 public:
     /// @param file an empty one, taken over.
-    /// @param limit bytes; where the next collide would exceed it, the recording ends.
+    /// @param limit maximum number of bytes; the recording ends before a collide that would exceed it.
     /// @param note names the program.
-    /// @param is_substitute whether a predictive space stands in the place of one of ODE's that the program made.
+    /// @param is_substitute whether a predictive space stands in place of a space of ODE that the program made.
     Recorder(
         HistoryFile file, std::uint64_t limit, const std::string &note,
         std::function<bool(dSpaceID)> is_substitute = [](dSpaceID) { return false; });
@@ -44,12 +44,12 @@ public:
     class Event
     {
     public:
-        /// To be called for each callback.
+        /// Must be called for each callback.
         void note(dGeomID first, dGeomID second);
 
-        /// To be called after the last callback.
+        /// Must be called after the last callback.
         ///
-        /// @param times in the program; 0: not known.
+        /// @param times in the program; 0 if unknown.
         void end(const EventTimes *times = nullptr);
 
     private:
@@ -61,13 +61,13 @@ public:
         std::uint64_t hash_ = 0;
     };
 
-    /// To be called before dSpaceCollide(space).
+    /// Must be called before dSpaceCollide(space).
     Event begin_collide(dSpaceID space);
 
-    /// To be called before dSpaceCollide2(first, second).
+    /// Must be called before dSpaceCollide2(first, second).
     Event begin_collide2(dGeomID first, dGeomID second);
 
-    /// Is nothing more written, because it is closed, the limit is reached, the file cannot be written, or memory has run out?
+    /// Whether nothing more is written: it is closed, the limit is reached, the file cannot be written, or memory has run out.
     bool is_over() const { return over_; }
 
     /// Ends the recording. @return whether all of it is in the file.
@@ -121,13 +121,13 @@ private:
     std::unordered_map<dGeomID, Known> geoms_;
     std::unordered_map<dBodyID, KnownBody> bodies_;
     std::unordered_map<std::uint32_t, std::size_t> member_counts_; // by GeomState::parent
-    bool has_absent_ = false;           // in the present walk: a space has fewer geoms than are known in it
+    bool has_absent_ = false;           // the present walk has found a space with fewer geoms than are known in it
     std::vector<std::uint32_t> walked_; // ids of the spaces whose geoms have been visited
     std::uint32_t next_geom_ = 0, next_body_ = 0, next_event_ = 0;
     std::uint64_t walk_ = 0;
     std::function<bool(dSpaceID)> is_substitute_;
     NoticeCounts notices_;
-    std::vector<std::array<std::uint32_t, 2>> noticed_; // in the present walk: ids and numbers
+    std::vector<std::array<std::uint32_t, 2>> noticed_; // ids and numbers of the present walk
 };
 
 /// "ode_predictive_space recorded <program>", and ODE's configuration.

@@ -1,5 +1,5 @@
-// Reads and validates a recording. One that is accepted can be replayed without further checks, even from a hostile file. A file that
-// is cut, as when the program was killed, is accepted up to its last whole record.
+// Reads and validates a recording. One that is accepted can be replayed without further checks, even from a hostile file. A
+// file that is cut, as when the program was killed, is accepted up to its last whole record.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_RECORDING_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_RECORDING_H
@@ -18,7 +18,7 @@
 
 namespace ode_predictive_space::recording
 {
-/// A file that is no recording, or one that contradicts itself.
+/// A file that is no recording, or an inconsistent one.
 struct BadRecording : std::runtime_error
 {
     BadRecording(std::size_t offset, const std::string &what)

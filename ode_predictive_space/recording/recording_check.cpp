@@ -1,4 +1,4 @@
-// Validates a recording: goes through the records in their order and knows, as a replay would, what there is.
+// Validates a recording: reads the records in their order, and keeps track of all objects as a replay does.
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +97,8 @@ void Recording::Check::take_records()
 
 namespace
 {
-// Only notes, notices and the data of geoms are longer. No recorder has written another record with a larger size, even if it is cut.
+// Only notes, notices and the data of geoms are longer. No recorder has written another record with a larger size, even if it
+// is cut.
 constexpr std::uint32_t most_of_other_kinds = 1000;
 
 bool can_be_cut(const Record &record)

@@ -76,8 +76,7 @@ double processor_time()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Goes through the records: calls `change` for each that is no event, and `event` with its number for each that is one, until that
-// returns false.
+// Reads the records: calls `event` with its number for each event, until it returns false, and `change` for each other record.
 template <typename Change, typename Event> void walk(const Recording &recording, Change change, Event event)
 {
     std::size_t number = 0;
@@ -341,7 +340,7 @@ void replay_to_be_counted(const Recording &recording, SpaceKind kind, const Coun
 {
     if (events.whole_life)
         live_once(recording, kind);
-    // To count a whole life without a space, geoms are put into none.
+    // For SpaceKind::none, a whole life is counted with geoms outside of all spaces.
     auto stage = std::make_unique<Stage>(recording, kind, kind != SpaceKind::none || !events.whole_life);
     std::size_t next = 0; // event
     walk(

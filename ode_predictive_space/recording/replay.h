@@ -22,7 +22,8 @@ struct EventPairs
     std::uint64_t hash_of_unbounded;
     bool operator==(const EventPairs &other) const { return count == other.count && hash == other.hash; }
 
-    /// ODE's sweep-and-prune spaces report unbounded geoms with everything; they and quadtrees are unbounded inside other spaces.
+    /// ODE's sweep-and-prune spaces report unbounded geoms with everything; they and quadtrees are unbounded inside other
+    /// spaces.
     bool same_but_more_unbounded(const EventPairs &other) const
     {
         return count - unbounded == other.count - other.unbounded &&
@@ -34,7 +35,7 @@ struct Pairs
 {
     std::string failure; ///< why the replay ended early; empty: it did not
     std::vector<EventPairs> events;
-    // Only of a kind that leaves out pairs:
+    // Only for a kind of spaces that leaves out pairs:
     std::uint64_t lost_contacts = 0; ///< pairs with a contact that are left out
     std::uint64_t strange = 0;       ///< pairs that the spaces by box do not have, or that are reported twice
 };
@@ -42,7 +43,8 @@ struct Pairs
 /// Replays without a clock.
 Pairs find_pairs(const Recording &recording, SpaceKind kind);
 
-/// The first pairs of one event that only one of two kinds of spaces finds: ": geoms 3 and 7 only in hash, ...". Empty: there are none.
+/// The first pairs of one event that only one of two kinds of spaces finds: ": geoms 3 and 7 only in hash, ...". Empty: there
+/// are none.
 std::string differing_pairs(const Recording &recording, SpaceKind kind, SpaceKind reference, std::size_t event);
 
 /// Times in seconds.
@@ -75,7 +77,7 @@ struct Callbacks
     std::uint64_t all = 0;
     std::uint64_t nothing = 0; ///< dCollide() finds no contact
     std::uint64_t unknown = 0; ///< with a space, or with a geom of which only the box is recorded
-    double seconds_spared = 0; ///< in calls of dCollide() for pairs that spaces by shape leave out
+    double seconds_spared = 0; ///< time of dCollide() for pairs that spaces by shape leave out
 };
 
 /// @return why the replay ended early; empty: it did not.
@@ -92,7 +94,7 @@ struct CountedEvents
     bool whole_life = false;   ///< also the making of all geoms, and their end
     bool has(std::size_t event) const { return event >= from && event < to && (event - from) % every == 0; }
 
-    /// How many are counted of a recording with this number of events.
+    /// Number of counted events in a recording with this number of events.
     std::size_t count_of(std::size_t events) const
     {
         return from < std::min(to, events) ? (std::min(to, events) - from - 1) / every + 1 : 0;

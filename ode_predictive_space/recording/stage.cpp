@@ -64,7 +64,7 @@ void Stage::ask(const Record &record, void *data, dNearCallback *callback)
     for (const std::uint32_t id : reported_)
         geoms_[id].was_reported = false;
     reported_.clear();
-    // The ids are looked up in any case, so that this costs the same with all spaces.
+    // The ids are always looked up, so that this costs the same with all spaces.
     if (record.kind == RecordKind::collide)
     {
         const dGeomID space = geom(recording_.id(record));
@@ -317,13 +317,13 @@ bool is_at(const dxPosR &place, const Pose &pose)
 }
 } // namespace
 
-// The pose of a geom with an offset is left to ODE, which computes it from the pose of the body when it is needed, unless that gives
-// another pose than the recorded one.
+// The pose of a geom with an offset is left to ODE, which computes it from the pose of the body when it is needed, unless that
+// gives another pose than the recorded one.
 void Stage::take_pose(const Geom &geom)
 {
     dxGeom &self = *geom.geom;
     if (self.offset_posr)
-        self.computePosr(); // in any case, so that this costs the same with all spaces
+        self.computePosr(); // always, so that this costs the same with all spaces
     if (is_at(*self.final_posr, geom.state.pose))
         return;
     copy_rotation(geom.state.pose, self.final_posr->R);
@@ -331,8 +331,8 @@ void Stage::take_pose(const Geom &geom)
     self.gflags &= ~GEOM_POSR_BAD;
 }
 
-// Is called at once for each change, as in the program: a predictive space takes a second notice at the same pose for a change of the
-// shape.
+// Is called at once for each change, as in the program: a predictive space takes a second notice at the same pose for a change
+// of the shape.
 void Stage::report_move(std::uint32_t id)
 {
     dGeomMoved(geoms_[id].geom);

@@ -72,9 +72,9 @@ private:
     dWorldID world_;
     std::vector<dBodyID> bodies_;
     std::deque<Geom> geoms_;
-    std::unordered_map<std::uint32_t, dTriMeshDataID> meshes_; // by the id of their data, when a geom first has them
-    std::unordered_map<std::uint32_t, dHeightfieldDataID> heights_; // likewise
-    std::vector<std::uint32_t> reported_;                           // those that were reported since the last event
+    std::unordered_map<std::uint32_t, dTriMeshDataID> meshes_;      // by id of the data, from their first geom on
+    std::unordered_map<std::uint32_t, dHeightfieldDataID> heights_; // as meshes_
+    std::vector<std::uint32_t> reported_; // geoms that were reported as moved since the last event
 };
 } // namespace ode_predictive_space::recording
 

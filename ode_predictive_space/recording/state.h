@@ -56,10 +56,10 @@ bool has_own_pose(const GeomState &state);
 
 BodyState state_of(dBodyID body);
 
-/// Parent, data, body and service remain 0. A geom whose data cannot be recorded has to be made a stand-in afterwards.
+/// Leaves parent, data, body and service at 0. If the geom's data cannot be recorded, the caller must call make_stand_in().
 GeomState state_of(dGeomID geom);
 
-/// The geom that is recorded: the geom inside a transform, if its class can be recorded, or the geom itself.
+/// The geom to record: the geom inside a transform, if its class can be recorded, otherwise the geom itself.
 dGeomID shape_of(dGeomID geom);
 
 /// Keeps only the bounding box of the geom.

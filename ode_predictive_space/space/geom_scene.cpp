@@ -68,7 +68,7 @@ public:
         radius_ = std::isfinite(circumscribed) ? circumscribed : 0.5 * bounds_.diagonal().norm();
     }
 
-    // True if anything is NaN or infinite: such a pair is reported. Most pairs touch, and save the check of skew.
+    // True if any value is NaN or infinite, so that such a pair is reported. Most pairs touch, and save the check of skew.
     bool may_touch(const JudgedSphere &other) const
     {
         const double squared = (centre_ - other.centre_).squaredNorm();

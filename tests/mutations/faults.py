@@ -54,8 +54,8 @@ def notice_faults():
         "return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;",
         "return ((inner_low >= low()).bits() & three_lanes) == three_lanes && inner_high.largest_of_three() < infinity;", places)
     yield Fault(
-        "repeated_box_taken_for_a_move", "notices", place, "return outcome(is_inside, changed);\n    }\n\n    /// The same for",
-        "return outcome(is_inside, true);\n    }\n\n    /// The same for", reports + places)
+        "repeated_box_taken_for_a_move", "notices", place, "return outcome(is_inside, changed);\n    }\n\n    /// follow() for",
+        "return outcome(is_inside, true);\n    }\n\n    /// follow() for", reports + places)
     yield Fault(
         "another_size_of_what_has_left", "notices", place, "if (!is_inside & changed && is_finite(box))",
         "if (!is_inside && is_finite(box))", reports)
@@ -315,9 +315,9 @@ def near_faults():
     yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", numbers)
     yield Fault("old_numbers_taken_for_new", "near", tick, "clock_.update % half_of_all == 0", "half_of_all == 0", numbers)
     yield Fault("old_numbers_taken_for_later", "near", tick, "clock_.update % half_of_all == 0", "clock_.update % (2 * half_of_all) == 0", numbers)
-    yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // no update: none of their numbers is left out\n", "    finish();\n", numbers)
+    yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // not finish(): the update number must not advance\n", "    finish();\n", numbers)
     yield Fault(
-        "watch_that_is_no_number", "near", place, "capsule = 5, ///< that of a segment", "capsule = 3, ///< that of a segment", (("broadphase", "Place.NoUpdateNumber*"),))
+        "watch_that_is_no_number", "near", place, "capsule = 5, ///< the tight box of a capsule", "capsule = 3, ///< the tight box of a capsule", (("broadphase", "Place.NoUpdateNumber*"),))
     yield Fault(
         "times_beyond_the_second_forecast", "near", tick, "std::min(first.ticks, second.ticks);\n    const double duration",
         "first.ticks;\n    const double duration", (("broadphase", "Broadphase.Times*"),))
@@ -335,7 +335,7 @@ def near_faults():
         "resting_pairs_not_reported", "near", near,
         "return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);", "return end;", sets)
     yield Fault(
-        "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // as above\n", "",
+        "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // pair states belong to the former margin\n", "",
         (("shape_contract", "ShapeProximity.*"),))
     yield Fault(
         "retired_for_ever", "near", BROADPHASE + "near/near_set.h",

@@ -1,4 +1,4 @@
-// The objects that get a new envelope in this update.
+// The batch: the objects that get a new envelope in an update, as an array for order and a set for membership.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_BATCH_H
@@ -10,13 +10,11 @@
 
 namespace ode_predictive_space
 {
-/// An array for the order, a set for membership.
 class Batch
 {
 public:
     void resize(std::size_t count) { members_.resize(count); }
 
-    /// Adds an object, unless it is in the batch.
     void add(ProxyId id)
     {
         if (members_.contains(id))
@@ -36,7 +34,6 @@ public:
     std::size_t size() const { return ids_.size(); }
     bool contains(ProxyId id) const { return members_.contains(id); }
 
-    /// In the order in which they were added.
     const std::vector<ProxyId> &ids() const { return ids_; }
 
     std::size_t bytes() const { return members_.bytes() + bytes_of(ids_); }

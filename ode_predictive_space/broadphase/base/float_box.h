@@ -1,4 +1,4 @@
-// Boxes in single precision, rounded outwards: what the index and the sweep store and compare.
+// Boxes in single precision, rounded outwards, for the index and the sweep.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FLOAT_BOX_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FLOAT_BOX_H
@@ -12,7 +12,7 @@
 
 namespace ode_predictive_space
 {
-/// An axis-aligned box that holds the double-precision box it was made of. Closed: touching boxes overlap.
+/// An axis-aligned box that holds the double-precision box it was made of. It is closed: touching boxes overlap.
 struct FloatBox
 {
     float low[3];
@@ -54,7 +54,7 @@ struct FloatBox
     FloatBox merged(const FloatBox &other) const { return of(merged_lows(other), merged_highs(other).last_three()); }
 
     float doubled_centre(int axis) const { return low[axis] + high[axis]; }
-    /// The same of all axes, in the first three lanes.
+    /// doubled_centre() of all axes in the first three lanes; the fourth is undefined.
     Float4 doubled_centres() const { return Float4::load(low) + Float4::load(low + 2).last_three(); }
 
     /// Half the surface area: the cost measure of a tree.
@@ -64,7 +64,7 @@ struct FloatBox
         return (sides * sides.rotated()).sum_of_three();
     }
 
-    /// False when a side is infinite, not a number, or so far away that areas overflow: such a box would spoil a tree.
+    /// False when a side is infinite, NaN, or so far away that areas overflow. A tree must not hold such a box.
     bool bounded() const
     {
         const Float4 limit = Float4::all(1e15f);
@@ -72,7 +72,6 @@ struct FloatBox
     }
 
 private:
-    // Lanes x, y, z of both; the fourth lanes mean nothing.
     static FloatBox of(Float4 low, Float4 high)
     {
         FloatBox box;
@@ -81,13 +80,12 @@ private:
         return box;
     }
 
-    // Loads that overlap by two components, so that neither leaves the box: x, y, z and high x; low z and x, y, z.
+    // The loads overlap by two components, so that neither leaves the box: low x, y, z, high x; and low z, high x, y, z.
     Float4 merged_lows(const FloatBox &other) const { return min(Float4::load(low), Float4::load(other.low)); }
     Float4 merged_highs(const FloatBox &other) const { return max(Float4::load(low + 2), Float4::load(other.low + 2)); }
 };
 static_assert(sizeof(FloatBox) == 6 * sizeof(float), "low and high are read as one array");
 
-/// An object and its envelope.
 struct SweptProxy
 {
     ProxyId proxy;

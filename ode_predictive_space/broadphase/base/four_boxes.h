@@ -1,4 +1,4 @@
-// Four boxes side by side, and what is compared with all of them at once.
+// Four boxes side by side, and a probe that compares one box with all four at once.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FOUR_BOXES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_FOUR_BOXES_H
@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// The sides of up to four boxes, by axis and box. Places without a box hold an inverted one, larger than all that are bounded().
+/// The sides of up to four boxes, by axis and box. Empty places hold an inverted box beyond all that are bounded().
 struct alignas(16) FourBoxes
 {
     static constexpr std::size_t most = 4;
@@ -24,7 +24,6 @@ struct alignas(16) FourBoxes
             clear(place);
     }
 
-    /// The same box in all places.
     static FourBoxes all(const FloatBox &box)
     {
         FourBoxes boxes;
@@ -47,7 +46,6 @@ struct alignas(16) FourBoxes
         }
     }
 
-    /// The box takes in another one.
     void enlarge(std::size_t place, const FloatBox &box)
     {
         for (int axis = 0; axis < 3; ++axis)
@@ -63,7 +61,7 @@ struct alignas(16) FourBoxes
         set(place, {{beyond, beyond, beyond}, {-beyond, -beyond, -beyond}});
     }
 
-    /// The box around all, which are bounded(); there is one in the first place.
+    /// The box around all. @pre all are bounded(), and the first place is not empty.
     FloatBox merged() const
     {
         FloatBox box = (*this)[0];
@@ -80,7 +78,6 @@ struct alignas(16) FourBoxes
     Float4 highs(int axis) const { return Float4::load_aligned(high[axis]); }
 };
 
-/// A box that is compared with many others.
 class BoxProbe
 {
 public:
@@ -93,7 +90,7 @@ public:
         }
     }
 
-    /// A bit for each box that overlaps this one.
+    /// One bit per place, set if its box overlaps this one.
     unsigned overlaps(const FourBoxes &boxes) const
     {
         return (along(boxes, 0) & along(boxes, 1) & along(boxes, 2)).bits();

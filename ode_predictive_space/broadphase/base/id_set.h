@@ -1,4 +1,4 @@
-// A set of objects that is walked in the order of their numbers, whatever the order in which they were inserted.
+// A set of objects that is iterated in the order of their numbers, not of insertion.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_SET_H
@@ -12,13 +12,12 @@
 
 namespace ode_predictive_space
 {
-/// A bit per object. Runs stay deterministic although ODE's worker threads report moved geoms in any order.
+/// One bit per object. Runs stay deterministic although ODE's worker threads report moved geoms in any order.
 class IdSet
 {
 public:
     static constexpr std::uint32_t bits_per_word = 64;
 
-    /// Makes room for objects 0 to count - 1. Members below that stay.
     void resize(std::size_t count)
     {
         const std::size_t words = (count + bits_per_word - 1) / bits_per_word;
@@ -47,7 +46,6 @@ public:
         return members;
     }
 
-    /// Members in one word.
     static std::size_t count(std::uint64_t word) { return word == 0 ? 0 : std::bitset<bits_per_word>(word).count(); }
 
     std::size_t words() const { return words_.size(); }
@@ -59,7 +57,7 @@ public:
             visit_word(index, words_[index], visit);
     }
 
-    /// Calls visit(id) for the bits of one word: walks unions and differences of sets without building them.
+    /// Calls visit(id) for the bits of one word, so that unions and differences of sets can be iterated without building them.
     template <typename Visit> static void visit_word(std::size_t index, std::uint64_t word, Visit &&visit)
     {
         for (; word; word &= word - 1)

@@ -1,4 +1,4 @@
-// The words that all stages of the broad phase share: objects, ticks, pairs.
+// Types that all stages of the broad phase share: objects, ticks, pairs.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_IDS_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_IDS_H
@@ -8,27 +8,25 @@
 
 namespace ode_predictive_space
 {
-/// Dense number of an object in the broad phase; reused after removal.
+/// A dense number, reused after removal.
 using ProxyId = std::uint32_t;
 constexpr ProxyId no_proxy = ~ProxyId{0};
 
-/// Time, counted in ticks. It wraps around, so only differences mean something.
+/// Time in ticks. It wraps around, so only differences are meaningful.
 using Tick = std::uint32_t;
 
-/// Ticks from `from` to `to`; negative when `to` is earlier.
+/// Negative when `to` is earlier than `from`.
 inline std::int32_t ticks_between(Tick from, Tick to)
 {
     return static_cast<std::int32_t>(to - from);
 }
 
-/// Two objects that may be near each other.
 struct CandidatePair
 {
     ProxyId first;
     ProxyId second;
 };
 
-/// A pair with the smaller number first.
 inline CandidatePair in_order(ProxyId one, ProxyId other)
 {
     return {std::min(one, other), std::max(one, other)};

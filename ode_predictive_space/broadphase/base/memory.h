@@ -1,4 +1,4 @@
-// How arrays grow and shrink, and where they begin.
+// Growth, shrinking and alignment of arrays.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_MEMORY_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_MEMORY_H
@@ -11,8 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// Gives an array `count` elements, new ones being T(). Growth reserves a quarter more: doubling, as vectors do, would leave a
-/// third of the memory of a large scene unused. Shrinking gives the memory back.
+/// Growth reserves a quarter more, as doubling leaves a third of a large array unused. Shrinking gives memory back.
 template <typename T, typename Allocator> void resize_array(std::vector<T, Allocator> &elements, std::size_t count)
 {
     const bool shrinks = count < elements.size();
@@ -29,14 +28,13 @@ template <typename T> void free_memory(std::vector<T> &elements)
     elements = std::vector<T>();
 }
 
-/// Gives the memory back that a one-off spike has left in an array.
 template <typename T> void give_back_spare(std::vector<T> &elements)
 {
     if (elements.capacity() > tuning::kept_elements && elements.size() < elements.capacity() / 8)
         elements.shrink_to_fit();
 }
 
-/// Empties an array that is filled again in the next tick. It keeps its memory, unless that was grown by a one-off spike.
+/// Empties an array that the next tick fills again. The memory stays, unless it was grown by a one-off spike.
 template <typename T> void clear_scratch(std::vector<T> &scratch)
 {
     give_back_spare(scratch);
@@ -49,7 +47,7 @@ template <typename T, typename Allocator> std::size_t bytes_of(const std::vector
     return elements.capacity() * sizeof(T);
 }
 
-/// Makes a vector begin with a cache line, so that records which are read together never straddle two lines.
+/// Aligns a vector to cache lines, so that no record of line size straddles two lines.
 template <typename T> struct CacheLineAllocator
 {
     using value_type = T;

@@ -14,11 +14,10 @@
 
 namespace ode_predictive_space
 {
-/// A point of the program's space. Its distance to another point is computed in double precision.
+/// A point in the program's coordinates. Differences to it are computed in double precision.
 class Origin
 {
 public:
-    /// That of the program.
     Origin() : Origin(Vector3::Zero()) {}
     /// @param place finite.
     explicit Origin(const Vector3 &place)
@@ -37,15 +36,15 @@ public:
 
     Vector3 place() const { return Vector3(place_[0], place_[1], place_[2]); }
 
-    /// More than what the program's own coordinates lose by rounding because they are counted from elsewhere; greater than 0.
+    /// Upper bound, greater than 0, of the rounding error that this origin adds to the program's coordinates.
     Float4 doubt() const { return doubt_; }
 
-    /// A point from here, for coordinates that were stored a moment ago; see Float4::nearest_of_stored().
+    /// The point relative to this origin; fast for coordinates that were just stored, see Float4::nearest_of_stored().
     Float4 nearest_of_stored(const double *point) const { return Float4::difference_of_stored(point, place_); }
-    /// A program in single precision has no other origin than its own.
+    /// In single precision the origin is always the program's.
     Float4 nearest_of_stored(const float *point) const { return Float4::nearest_of_stored(point, 1); }
 
-    /// A box that holds the one given, from here.
+    /// A box relative to this origin that holds the given one.
     Box around(const Box &box) const { return Box(box.min() - for_least_, box.max() - for_greatest_); }
 
 private:
@@ -53,7 +52,7 @@ private:
 
     alignas(16) double place_[4] = {};
     Float4 doubt_;
-    Vector3 for_least_, for_greatest_; // what is subtracted from the sides of boxes
+    Vector3 for_least_, for_greatest_; // subtrahends for the low and high sides of boxes
 };
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// Conversion of double to single precision, rounded to a known side.
+// Directed rounding from double to single precision.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ROUNDING_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ROUNDING_H
@@ -8,12 +8,10 @@
 
 namespace ode_predictive_space
 {
-/// A float <= value, at most three units in the last place below it, or FLT_MIN where that is more. -infinity when value is
-/// NaN or below the range of float.
+/// A float <= value, at most three units in the last place or FLT_MIN below it; -infinity for NaN and below the range of float.
 inline float round_down(double value)
 {
-    // One part in 2^23 is one or two units in the last place. FLT_MIN covers numbers too small for that, also where the
-    // processor flushes denormal numbers to zero.
+    // One part in 2^23 is one or two units in the last place. FLT_MIN covers smaller numbers, also if denormals become zero.
     constexpr float unit = std::numeric_limits<float>::epsilon();
     if (std::isnan(value))
         return -std::numeric_limits<float>::infinity();
@@ -25,7 +23,7 @@ inline float round_down(double value)
     return nearest - (std::abs(nearest) * unit + std::numeric_limits<float>::min());
 }
 
-/// A float >= value, likewise. Infinity when value is NaN or above the range of float.
+/// A float >= value, with the same bounds; infinity for NaN and above the range of float.
 inline float round_up(double value)
 {
     return -round_down(-value);

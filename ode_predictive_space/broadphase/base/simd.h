@@ -1,7 +1,6 @@
 // Vectors of four floats and of eight 16-bit integers: the only vector arithmetic of the broad phase.
-//
-// It is written in SSE2. For other processors the SIMDe library implements the same instructions, with the same results, bit for
-// bit. ODE_PREDICTIVE_SPACE_SIMDE chooses that library on any processor, for tests.
+// It uses SSE2. On other processors the SIMDe library implements the same instructions with bit-identical results;
+// ODE_PREDICTIVE_SPACE_SIMDE selects it on any processor, for tests.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_SIMD_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_SIMD_H
@@ -21,16 +20,14 @@
 
 namespace ode_predictive_space
 {
-/// Bits of the first three lanes of a Mask4, and of all four.
 constexpr unsigned three_lanes = 7, four_lanes = 15;
 
-/// The outcome of a comparison of four lanes.
 class Mask4
 {
 public:
     explicit Mask4(__m128 lanes) : lanes_(lanes) {}
 
-    /// A bit for each lane, the first lane's lowest.
+    /// One bit per lane, the first lane's lowest.
     unsigned bits() const { return static_cast<unsigned>(_mm_movemask_ps(lanes_)); }
 
     friend Mask4 operator&(Mask4 a, Mask4 b) { return Mask4(_mm_and_ps(a.lanes_, b.lanes_)); }
@@ -47,23 +44,22 @@ public:
     Float4() = default;
     Float4(float x, float y, float z, float w) : lanes_(_mm_setr_ps(x, y, z, w)) {}
 
-    /// One number in all lanes.
     static Float4 all(float value) { return Float4(_mm_set1_ps(value)); }
 
     static Float4 load(const float *four) { return Float4(_mm_loadu_ps(four)); }
     static Float4 load_aligned(const float *four) { return Float4(_mm_load_ps(four)); }
 
-    /// Each double rounded to the nearest float; the fourth lane is 0.
+    /// Rounded to the nearest floats; the fourth lane is 0.
     static Float4 nearest(const double *three) { return joined(_mm_loadu_pd(three), _mm_load_sd(three + 2)); }
 
-    /// Three doubles that are `stride` apart, rounded likewise. Each is loaded separately, because a wider load of numbers that were
-    /// just stored one by one would stall until the stores have finished.
+    /// Three doubles that are `stride` apart, rounded as by nearest(). Each is loaded separately: a wider load of numbers that
+    /// were just stored one by one would stall until the stores have finished.
     static Float4 nearest_of_stored(const double *first, std::ptrdiff_t stride)
     {
         return joined(_mm_loadh_pd(_mm_load_sd(first), first + stride), _mm_load_sd(first + 2 * stride));
     }
 
-    /// The differences of three such numbers and three others, each rounded to the nearest float.
+    /// Three doubles that were just stored less three others, rounded to the nearest floats. @param others aligned to 16 bytes.
     static Float4 difference_of_stored(const double *first, const double *others)
     {
         return joined(_mm_sub_pd(_mm_loadh_pd(_mm_load_sd(first), first + 1), _mm_load_pd(others)),
@@ -75,7 +71,7 @@ public:
         return {first[0], first[stride], first[2 * stride], 0};
     }
 
-    /// round_down() of sign times each of three numbers that are `stride` apart, where these are finite as floats; sign is 1 or -1.
+    /// round_down() of sign, 1 or -1, times three numbers that are `stride` apart. @pre they are finite as floats.
     static Float4 rounded_down(const double *first, std::ptrdiff_t stride, double sign)
     {
         const __m128d signs = _mm_set1_pd(sign);
@@ -98,25 +94,22 @@ public:
 
     void store(float *four) const { _mm_storeu_ps(four, lanes_); }
 
-    /// Stores the first three lanes alone.
     void store_three(float *three) const
     {
         _mm_storel_pi(reinterpret_cast<__m64 *>(three), lanes_);
         _mm_store_ss(three + 2, _mm_movehl_ps(lanes_, lanes_));
     }
 
-    /// Stores lanes that are not negative, without their fractions, as integers.
     void store_whole(std::int32_t *four) const
     {
         _mm_storeu_si128(reinterpret_cast<__m128i *>(four), _mm_cvttps_epi32(lanes_));
     }
 
-    /// The lanes y, z, x, and one that means nothing.
+    /// The lanes y, z, x; the fourth is undefined.
     Float4 rotated() const { return Float4(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(0, 0, 2, 1))); }
-    /// The lanes y, z, w, and one that means nothing.
+    /// The lanes y, z, w; the fourth is undefined.
     Float4 last_three() const { return Float4(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(3, 3, 2, 1))); }
 
-    /// One lane in all lanes.
     template <int lane> Float4 broadcast() const
     {
         return Float4(_mm_shuffle_ps(lanes_, lanes_, _MM_SHUFFLE(lane, lane, lane, lane)));
@@ -137,10 +130,10 @@ public:
     friend Float4 operator*(Float4 a, Float4 b) { return Float4(_mm_mul_ps(a.lanes_, b.lanes_)); }
     friend Float4 operator-(Float4 a) { return all(0) - a; }
 
-    /// In each lane the larger or smaller number; b where one is NaN.
+    /// max() and min() by lane return b if either number is NaN.
     friend Float4 max(Float4 a, Float4 b) { return Float4(_mm_max_ps(a.lanes_, b.lanes_)); }
     friend Float4 min(Float4 a, Float4 b) { return Float4(_mm_min_ps(a.lanes_, b.lanes_)); }
-    /// It is computed by shifts, which need no constant from memory.
+    /// Uses shifts, which need no constant from memory.
     friend Float4 abs(Float4 a)
     {
         return Float4(_mm_castsi128_ps(_mm_srli_epi32(_mm_slli_epi32(_mm_castps_si128(a.lanes_), 1), 1)));
@@ -148,14 +141,12 @@ public:
 
     friend Float4 sqrt(Float4 a) { return Float4(_mm_sqrt_ps(a.lanes_)); }
 
-    /// Each lane that is finite; 0 in place of the others.
     friend Float4 finite_or_zero(Float4 a)
     {
         const __m128 finite = _mm_cmplt_ps(abs(a).lanes_, _mm_set1_ps(std::numeric_limits<float>::infinity()));
         return Float4(_mm_and_ps(finite, a.lanes_));
     }
 
-    /// Each lane of a divided by that of b; 0 where b is 0.
     friend Float4 quotient_or_zero(Float4 a, Float4 b)
     {
         const __m128 divides = _mm_cmpneq_ps(b.lanes_, _mm_setzero_ps());
@@ -177,7 +168,7 @@ private:
     __m128 lanes_;
 };
 
-/// Eight signed integers of 16 bits, or what a comparison of them gave.
+/// Eight signed integers of 16 bits, or the result of their comparison.
 class Short8
 {
 public:
@@ -190,7 +181,7 @@ public:
     friend Short8 operator>(Short8 a, Short8 b) { return Short8(_mm_cmpgt_epi16(a.lanes_, b.lanes_)); }
     friend Short8 operator|(Short8 a, Short8 b) { return Short8(_mm_or_si128(a.lanes_, b.lanes_)); }
 
-    /// A bit for each lane of two comparisons, those of the first lower.
+    /// One bit per lane of two comparisons, the first's lower.
     friend unsigned bits_of(Short8 first, Short8 second)
     {
         return static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(first.lanes_, second.lanes_)));

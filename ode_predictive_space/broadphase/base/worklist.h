@@ -1,4 +1,4 @@
-// Objects that wait for a stage of an update.
+// A set of objects for a stage of an update.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_WORKLIST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_WORKLIST_H
@@ -7,7 +7,7 @@
 
 namespace ode_predictive_space
 {
-/// A set that knows without a look whether anything may be in it.
+/// A set with a flag that is false only if the set is empty, so that an empty set need not be read.
 class Worklist
 {
 public:
@@ -25,7 +25,6 @@ public:
         has_work_ = false;
     }
 
-    /// There is something to do, maybe for no object.
     void demand() { has_work_ = true; }
     bool has_work() const { return has_work_; }
 

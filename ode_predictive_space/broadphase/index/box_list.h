@@ -1,4 +1,4 @@
-// Boxes in no order: the index of small scenes, and of boxes that no tree can hold.
+// An unordered list of boxes: the index of small scenes, and of boxes that no tree can hold.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_BOX_LIST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_BOX_LIST_H
@@ -14,11 +14,9 @@
 
 namespace ode_predictive_space
 {
-/// Boxes by object. Each side is an array of its own, in fours: a box is compared with four others at once.
 class BoxList
 {
 public:
-    /// Adds the box of an object, or replaces it.
     void put(const SweptProxy &leaf)
     {
         const std::size_t place = place_of(leaf.proxy);
@@ -28,7 +26,7 @@ public:
             set(place, leaf.box);
     }
 
-    /// Adds the box of an object that is not in the list.
+    /// @pre the object is not in the list.
     void add(const SweptProxy &leaf)
     {
         if (size() % per_block == 0)
@@ -37,7 +35,7 @@ public:
         set(size() - 1, leaf.box);
     }
 
-    /// Removes an object that is in the list.
+    /// @pre the object is in the list.
     void remove(ProxyId proxy)
     {
         const std::size_t place = place_of(proxy), last = size() - 1;
@@ -59,7 +57,7 @@ public:
     std::size_t size() const { return proxies_.size(); }
     SweptProxy operator[](std::size_t place) const { return {proxies_[place], box(place)}; }
 
-    /// Calls visit(proxy) for every object whose box the probe overlaps; see EnvelopeTree::walk().
+    /// Calls visit(proxy) for each object whose box the probe overlaps; see EnvelopeTree::walk().
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
         for (std::size_t first = 0; first < blocks_.size(); first += blocks_per_word)
@@ -74,7 +72,6 @@ public:
         }
     }
 
-    /// Calls visit(proxy, other) once for each two objects whose boxes overlap.
     template <typename Visit> void find_pairs(Visit visit) const
     {
         for (std::size_t place = 0; place + 1 < size(); ++place)

@@ -5,7 +5,7 @@
 
 namespace ode_predictive_space
 {
-// To sweep all costs less than to look up so large a batch one by one and to build the index some time.
+// For a batch this large, sweeping all objects costs less than querying for each and updating the index.
 bool EnvelopeIndex::is_bulk(const ProxyStore &proxies, std::size_t batch) const
 {
     return tuning::part_of_bulk * batch > proxies.count();
@@ -66,9 +66,8 @@ void EnvelopeIndex::prepare(ProxyStore &proxies)
     is_stale_ = false;
 }
 
-// Each box is replaced where it is.
-//
-// @return false when not all of them have a place, or the tree has become much worse.
+// Replaces each box in its place.
+// @return false if an object belongs elsewhere or the tree has become much worse; then the index must be built.
 bool EnvelopeIndex::refit(ProxyStore &proxies)
 {
     bool are_all_there = true;
@@ -87,7 +86,7 @@ bool EnvelopeIndex::refit(ProxyStore &proxies)
 
 void EnvelopeIndex::build(ProxyStore &proxies)
 {
-    clear(proxies); // no object has a tree_kind until memory for all was found
+    clear(proxies); // tree_kind is set last, so that running out of memory leaves none set
     is_stale_ = true;
     boxes_.clear();
     proxies.members().for_each([&](ProxyId id) {
@@ -121,7 +120,7 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
         record.tree_kind = TreeKind::none;
 }
 
-// Objects of the batch are left out: their pairs were found among themselves.
+// Tree and list skip objects of the batch, because sort and sweep finds the pairs within the batch.
 void EnvelopeIndex::look_up(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs)
 {
     if (boxes_.size() > 1)

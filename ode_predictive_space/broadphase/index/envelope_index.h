@@ -1,6 +1,5 @@
-// Which envelopes can meet? In: objects with new envelopes. Out: the pairs of them, each once, and an index for questions.
-//
-// Envelopes are in a tree; those that no tree can hold are in a list, as all envelopes of a small scene are.
+// The index of all envelopes. In: objects with new envelopes. Out: their overlapping pairs, each once; and answers to queries.
+// A tree holds the envelopes. A list holds those that no tree can hold, and all of a small scene.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_INDEX_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_INDEX_H
@@ -18,28 +17,22 @@ namespace ode_predictive_space
 class EnvelopeIndex
 {
 public:
-    /// Appends to `pairs` all pairs of which at least one is in the batch, none is idle, and whose envelopes overlap, each once.
-    /// Many new envelopes are swept together with all others; few are looked up.
-    ///
-    /// @param idle objects for which no pairs are wanted.
-    /// @return false when all were swept.
+    /// Appends all pairs of overlapping envelopes with at least one object in the batch and none idle, each once. A large batch
+    /// is swept together with all other objects; a small one queries the index.
+    /// @return false if all were swept.
     bool find_pairs(ProxyStore &proxies, const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
 
-    /// The objects have new envelopes. When they are many, the index is out of date until prepare().
+    /// Stores the batch's new envelopes. After a large batch the index is stale until prepare().
     void put(ProxyStore &proxies, const Batch &batch);
 
-    /// Brings the index up to date.
     void prepare(ProxyStore &proxies);
-    /// May walk() be called?
     bool is_prepared() const { return !is_stale_; }
 
-    /// Removes an object, if it is in the index.
     void remove(ProxyStore &proxies, ProxyId id);
 
-    /// Removes all objects.
     void clear(ProxyStore &proxies);
 
-    /// Calls visit(id) for every object whose envelope the probe overlaps, idle ones among them; see EnvelopeTree::walk().
+    /// Calls visit(id) for each object whose envelope the probe overlaps, idle ones included; see EnvelopeTree::walk().
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
         tree_.walk(probe, visit);
@@ -62,11 +55,11 @@ private:
 
     EnvelopeTree tree_;
     BoxList list_;
-    bool is_small_ = true;  // the list holds what trees can hold
-    bool is_stale_ = false; // envelopes are not where they belong
+    bool is_small_ = true;  // the list holds all envelopes
+    bool is_stale_ = false; // some new envelopes are not stored yet
     SortAndSweep sort_and_sweep_;
-    std::vector<SweptProxy> boxes_; // scratch, as the others
-    std::vector<BoxProbe> probes_;
+    std::vector<SweptProxy> boxes_; // scratch
+    std::vector<BoxProbe> probes_;  // scratch
 };
 } // namespace ode_predictive_space
 

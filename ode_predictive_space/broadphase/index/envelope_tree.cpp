@@ -12,7 +12,7 @@ Float4 half_areas(const Float4 *sides)
     return sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
 }
 
-// The place whose box grows least when it takes another in. Of those that grow nearly alike, a small one is better.
+// The place whose box grows least when another is merged into it. A small weight of the size prefers small boxes.
 std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, const FloatBox &box)
 {
     Float4 sides[3], grown_sides[3];
@@ -101,7 +101,7 @@ void EnvelopeTree::add(Index index, const Entry &entry)
 
 namespace
 {
-// No two have the same content: so every machine sorts them alike.
+// Contents differ, so the order is the same on every machine.
 template <typename Overfull> void sort_along(Overfull &entries, int axis)
 {
     std::sort(entries.begin(), entries.end(), [axis](const auto &one, const auto &other) {
@@ -110,10 +110,9 @@ template <typename Overfull> void sort_along(Overfull &entries, int axis)
     });
 }
 
-// Sorts the entries along the axis on which they are best cut into two and three, or three and two: where the sum of half areas, each
-// times the entries in it, is least.
-//
-// @return the number of those in the first part.
+// Sorts the entries along the best axis for a cut into two and three, or three and two. The best cut has the least sum of half
+// areas, each times the number of its entries.
+// @return the number of entries in the first part.
 template <typename Overfull> std::size_t cut(Overfull &entries)
 {
     Overfull best = entries;
@@ -145,7 +144,7 @@ void EnvelopeTree::fill(Index node, const Entry *begin, const Entry *end)
         put(place, *begin);
 }
 
-// A part of the entries goes into a new node beside this one; above a root, there is a new root.
+// Moves a part of the entries into a new sibling. If the node is the root, a new root holds both.
 void EnvelopeTree::split(Index index, const Entry &extra)
 {
     Overfull entries;
@@ -171,7 +170,8 @@ void EnvelopeTree::split(Index index, const Entry &extra)
 
 namespace
 {
-// In two halves, along the axis on which they spread most; not at all when there is room for them.
+// Splits the leaves into halves along the axis of the largest spread, unless there is room for all.
+// @return the beginning of the second half, or `end`.
 SweptProxy *halve(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room)
 {
     if (end - begin <= room)
@@ -207,9 +207,7 @@ void EnvelopeTree::build(std::vector<SweptProxy> leaves)
     root_ = built(leaves.data(), leaves.data() + leaves.size(), room_below);
 }
 
-// A node with all these below it.
-//
-// @param room_below the most that can be below one of its places.
+// @param room_below maximum number of leaves below one of its places.
 EnvelopeTree::Index EnvelopeTree::built(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room_below)
 {
     const Index index = allocate();
@@ -230,8 +228,7 @@ EnvelopeTree::Index EnvelopeTree::built(SweptProxy *begin, SweptProxy *end, std:
     return index;
 }
 
-// An envelope that stays among the same neighbours stays where it is: to take it out and to look for the best place takes several
-// times as long.
+// A leaf that stays within a nearby ancestor's box keeps its place; remove() and insert() would take several times as long.
 void EnvelopeTree::move(ProxyId proxy, const FloatBox &box)
 {
     const Index place = leaf_place_[proxy];
@@ -253,7 +250,7 @@ void EnvelopeTree::remove(ProxyId proxy)
     take_out(place);
 }
 
-// The last place takes its part. Nodes without places go, too, and roots with one.
+// Fills the gap with the node's last place. Releases empty nodes, and roots with a single child.
 void EnvelopeTree::take_out(Index place)
 {
     Node &node = node_of(place);
@@ -279,7 +276,6 @@ void EnvelopeTree::take_out(Index place)
     }
 }
 
-// The boxes around the node and those above it become as small, or as large, as what is in them.
 void EnvelopeTree::refit_upwards(Index index)
 {
     for (Index place = nodes_[index].parent; place != none; place = node_of(place).parent)
@@ -303,8 +299,8 @@ bool EnvelopeTree::refit(const std::vector<SweptProxy> &leaves)
     return empty() || refit_below(root_, before) <= tuning::worse_by_refitting * before;
 }
 
-// @param before the half areas of the boxes around the nodes below, as they were, are added to it.
-// @return the sum of their half areas now.
+// @param before increased by the former half areas of all boxes of nodes below.
+// @return the sum of their new half areas.
 float EnvelopeTree::refit_below(Index index, float &before)
 {
     Node &node = nodes_[index];

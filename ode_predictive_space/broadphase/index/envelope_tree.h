@@ -1,5 +1,4 @@
-// A dynamic tree of boxes: which envelopes can meet a given one? Many queries go down together, and a large change rebuilds the
-// whole tree.
+// A dynamic tree of boxes. In: envelopes. Out: those that overlap a probe, for one probe or several at once.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_ENVELOPE_TREE_H
@@ -14,71 +13,62 @@
 
 namespace ode_predictive_space
 {
-/// An R-tree (Guttman 1984) of bounded boxes: each node has up to four boxes, around the nodes below it or, in the lowest level, of
-/// objects. A visit of a node compares all four at once. All ways from the root down are equally long.
+/// An R-tree (Guttman 1984) of bounded boxes. A node has up to four boxes, of its children or, in the lowest level, of objects;
+/// a visit compares all four at once. All leaves have the same depth.
 class EnvelopeTree
 {
 public:
-    /// Adds a proxy that is not in the tree. The box must be bounded().
+    /// @pre the proxy is not in the tree, and the box is bounded().
     void insert(ProxyId proxy, const FloatBox &box);
 
-    /// Removes a proxy that is in the tree.
+    /// @pre the proxy is in the tree.
     void remove(ProxyId proxy);
 
-    /// Gives a proxy that is in the tree another box: the same as remove() and insert(), but quicker when the box is near
-    /// the old one, because it stays where it is.
     void move(ProxyId proxy, const FloatBox &box);
 
-    /// Removes all proxies.
     void clear();
 
-    /// Replaces the whole tree by one over these leaves, built from the top: for when many boxes change at once.
     void build(std::vector<SweptProxy> leaves);
 
-    /// Gives all proxies in the tree other boxes, and leaves each where it is: for when many have moved, and most with their neighbours.
-    ///
+    /// Replaces the boxes of all proxies and keeps the structure, which suits proxies that have moved with their neighbours.
     /// @param leaves one for each proxy in the tree.
-    /// @return false when the tree has become much worse than it was: it is to be built.
+    /// @return false if the tree has become much worse and should be built.
     bool refit(const std::vector<SweptProxy> &leaves);
 
     bool empty() const { return root_ == none; }
 
-    /// Calls visit(proxy) for every proxy whose box overlaps the probe, which has any shape and a function
-    /// `unsigned overlaps(const FourBoxes &) const` that gives a bit for each. The function is called for the boxes of whole branches,
-    /// too, and must be true for a box that holds a box which it overlaps; for places without a box it may say anything.
+    /// Calls visit(proxy) for each proxy whose box overlaps the probe.
+    /// @tparam Probe has `unsigned overlaps(const FourBoxes &) const`, which returns one bit per place; bits of empty places
+    ///     are ignored. A probe that overlaps a box must overlap each box around it, too.
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const
     {
         if (!empty())
             walk_below(root_, probe, visit);
     }
 
-    /// The same for several probes at once, which is faster where nodes are not in the cache: no probe waits for another's.
-    ///
+    /// Walks several probes at once, which is faster if nodes are not in the cache. Calls visit(i, proxy) for each proxy that
+    /// the i-th probe overlaps, not in the order of the probes.
     /// @param count at most most_together.
-    /// @param visit called as visit(i, proxy) for what the i-th probe overlaps; not in the order of the probes.
     template <typename Probe, typename Visit>
     void walk_together(const Probe *probes, std::size_t count, Visit visit) const;
     static constexpr std::size_t most_together = tuning::queries_together;
 
-    /// The box stored for a proxy that is in the tree.
+    /// @pre the proxy is in the tree.
     FloatBox box(ProxyId proxy) const { return box_at(leaf_place_[proxy]); }
 
-    /// Checks links and boxes.
     bool consistent() const;
 
-    /// Nodes on each way from the root to a proxy.
     int depth() const;
 
     std::size_t bytes() const;
 
 private:
-    using Index = std::int32_t; // of a node; or of a place in one, as four times its index and the number of the place
+    using Index = std::int32_t; // index of a node, or of a place: width * node + number of the place in it
     static constexpr Index none = -1;
     static constexpr Index width = FourBoxes::most;
     static constexpr std::size_t walk_room = 256;
     static_assert(most_together + width <= walk_room, "all probes begin in there");
 
-    /// A node that the probe of this number overlaps.
     struct Step
     {
         Index node;
@@ -87,16 +77,15 @@ private:
 
     struct alignas(64) Node
     {
-        FourBoxes boxes;      // the first `count` of them
-        Index content[width]; // >= 0: the node in the box; < 0: ~proxy
-        Index parent = none;  // the place that it is in; of a free node, the next one
+        FourBoxes boxes;      // the first `count` are in use
+        Index content[width]; // >= 0: a node; < 0: ~proxy
+        Index parent = none;  // the place of this node; in a free node, the next free one
         Index count = 0;
         bool is_lowest() const { return content[0] < 0; }
         bool is_full() const { return count == width; }
     };
     static_assert(sizeof(Node) == 128, "two cache lines");
 
-    /// What a place holds.
     struct Entry
     {
         FloatBox box;
@@ -105,7 +94,6 @@ private:
     using Overfull = std::array<Entry, width + 1>;
 
     template <typename Probe, typename Visit> void walk_below(Index node, const Probe &probe, const Visit &visit) const;
-    /// Calls visit(content) for each place of the node that the probe overlaps.
     template <typename Probe, typename Visit> static void look_at(const Node &node, const Probe &probe, Visit visit)
     {
         for (unsigned hits = probe.overlaps(node.boxes) & ~(~0u << node.count); hits != 0; hits &= hits - 1)
@@ -132,7 +120,6 @@ private:
     Index root_ = none, free_ = none;
 };
 
-// Depth first.
 template <typename Probe, typename Visit>
 void EnvelopeTree::walk_below(Index node, const Probe &probe, const Visit &visit) const
 {
@@ -153,7 +140,7 @@ void EnvelopeTree::walk_below(Index node, const Probe &probe, const Visit &visit
     }
 }
 
-// Level by level, so that the processor can look at several nodes at once: their addresses are known long before their boxes.
+// Breadth first, so that the cache misses of several nodes overlap: a node is prefetched long before it is read.
 template <typename Probe, typename Visit>
 void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit visit) const
 {

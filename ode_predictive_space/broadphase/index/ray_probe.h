@@ -1,4 +1,4 @@
-// A line that is compared with many boxes: rays that ask the index.
+// A line that is compared with many boxes, for queries by ray.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_RAY_PROBE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_RAY_PROBE_H
@@ -10,19 +10,16 @@
 
 namespace ode_predictive_space
 {
-/// A straight line between two points, as a probe for EnvelopeTree::walk().
-///
-/// Box and line are apart when they are apart along one of six axes: those of the box, and those perpendicular to one of
-/// them and to the line (separating axes: Gottschalk, Lin, Manocha 1996). Sums and differences of end points
-/// and corners take the place of centres and half sizes, so all lengths are doubled. All is computed in single precision with a
-/// margin larger than its round-off, about 4e-6 of the largest coordinate of the line and of the size of the box: a box that the line
-/// misses by less may count as met.
+/// A straight line between two points, as a probe for EnvelopeTree::walk(). Box and line are apart if they are apart along one
+/// of six axes: those of the box, and those perpendicular to one of them and to the line (separating axes: Gottschalk, Lin,
+/// Manocha 1996). Sums and differences of end points and corners replace centres and half sizes, so all lengths are doubled.
+/// Single precision gets a margin larger than its round-off, about 4e-6 of the largest coordinate of the line and of the size
+/// of the box: a box that the line misses by less may count as met.
 class RayProbe
 {
 public:
-    /// Both in a box that is bounded(); a line of no length is a point.
-    ///
-    /// @param miss by how much the line may miss a box and still meet it.
+    /// @pre the line is inside a bounded() box. It may have length 0.
+    /// @param miss distance up to which a missed box counts as met.
     RayProbe(const Vector3 &start, const Vector3 &end, double miss = 0)
     {
         for (int axis = 0; axis < 3; ++axis)
@@ -37,10 +34,10 @@ public:
         }
     }
 
-    /// A bit for each box that the line meets, also for a box that is infinite or not a number: nothing is known to be apart.
+    /// One bit per place, set if the line may meet its box. Infinite sides and NaN prove nothing apart.
     unsigned overlaps(const FourBoxes &boxes) const
     {
-        // Lines are bounded, boxes need not be: what is farther away than all lines makes no difference.
+        // Boxes may be unbounded. Sides are clamped beyond all lines, which are bounded.
         const Float4 beyond = Float4::all(4e15f);
         Float4 offset[3], extent[3];
         for (int axis = 0; axis < 3; ++axis)
@@ -61,7 +58,7 @@ public:
     bool overlaps(const FloatBox &box) const { return (overlaps(FourBoxes::all(box)) & 1) != 0; }
 
 private:
-    // The coordinates of a box that the line meets are no larger than those of the line and the size of the box together.
+    // Relative to line and box size; a box that the line meets has no larger coordinates than both together.
     static constexpr float rounding = 8 * std::numeric_limits<float>::epsilon();
 
     Float4 centre_[3], span_[3], margin_[3];

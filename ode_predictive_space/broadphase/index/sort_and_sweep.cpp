@@ -10,21 +10,20 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr float last_place = 65535; // along
-constexpr int bits_beside = 15;     // of places on the other axes, which are compared as signed numbers
+constexpr float last_place = 65535; // on the sorted axis
+constexpr int bits_beside = 15;     // bits of places on the other axes, which are compared as signed numbers
 constexpr float places_beside = 1 << bits_beside;
 
 constexpr std::uint32_t last_key = 0x7fffffff;
 
-// The i-th number of a sample of `count`. Multiples of the golden ratio spread evenly over any order of the items: a fixed
-// stride meets a single plane of a grid that was created row by row.
+// The i-th index of a sample of `count` items. Multiples of the golden ratio spread evenly, whereas a fixed stride may meet a
+// single plane of a grid that was created row by row.
 std::size_t sampled(std::size_t i, std::size_t count)
 {
     const std::uint32_t fraction = static_cast<std::uint32_t>(i) * 0x9e3779b9u;
     return static_cast<std::size_t>((std::uint64_t{fraction} * count) >> 32);
 }
 
-// Mean and variance of a number that each item has, from a sample.
 struct Moments
 {
     double mean = 0, variance = 0;
@@ -44,7 +43,6 @@ struct Moments
     }
 };
 
-// Where the centres lie.
 struct AxisSpread
 {
     int axis;
@@ -58,7 +56,7 @@ struct AxisSpread
     bool operator>(const AxisSpread &other) const { return centres.variance > other.centres.variance; }
 };
 
-// Sorts by the upper halves, from the least significant digit on. Digits are as wide as possible and cover the bits that vary.
+// Sorts by the upper halves, from the least significant digit on. Digits are as wide as allowed and cover only bits that vary.
 void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
 {
     constexpr int widest = 11;
@@ -105,7 +103,7 @@ int SortAndSweep::Layout::bits_of_slabs(const Items &items) const
     constexpr int fewest_bits = 4;
     const int axis = across.axis;
     const double width = Moments(items, [axis](const FloatBox &box) { return box.high[axis] - box.low[axis]; }).mean;
-    // Of boxes that lie evenly, all are within this part of the places.
+    // Evenly distributed boxes occupy this part of the places.
     const double part = std::sqrt(3) / tuning::deviations_per_half;
     const double least =
         std::max(tuning::least_widths_per_slab * width * across.places_per_unit,
@@ -131,13 +129,13 @@ SortAndSweep::Grid::Grid(const Layout &layout) : x_(layout.along.axis), y_(layou
              Float4(0, last[0], last[1], last[2])};
 }
 
-// The larger of a number that is not one and 0 is 0.
+// max() returns 0 for NaN.
 inline void SortAndSweep::Grid::Cut::operator()(const float *four, std::int32_t *places) const
 {
     min(max((Float4::load(four) - begin) * scale, Float4::all(0)), last).store_whole(places);
 }
 
-// Both loads stay within the box: that of the high sides begins with the last of the low ones.
+// Both loads stay within the box: the load of the high sides begins with the last low side.
 inline SortAndSweep::Sides SortAndSweep::Grid::sides(const FloatBox &box) const
 {
     std::int32_t low[4], high[4];
@@ -159,7 +157,7 @@ void SortAndSweep::sort_into_slabs(const Items &items, const Layout &layout)
     for (std::size_t i = 0; i < items.size(); ++i)
     {
         const Sides sides = all_sides[i] = grid.sides(items[i].box);
-        const int last = std::max(sides.low_y, sides.high_y) >> layout.slab_bits; // also of an inverted box
+        const int last = std::max(sides.low_y, sides.high_y) >> layout.slab_bits; // valid for inverted boxes, too
         for (int slab = sides.low_y >> layout.slab_bits; slab <= last; ++slab)
         {
             if (count == order_.size())
@@ -214,12 +212,12 @@ std::size_t SortAndSweep::find_pairs(const std::vector<SweptProxy> &items, std::
     for (const SweptProxy &item : items)
         (item.box.bounded() ? bounded_ : unbounded_).push_back(item);
     std::size_t comparisons = compare_each_with_each(unbounded_, pairs) + unbounded_.size() * bounded_.size();
-    for (const SweptProxy &one : bounded_) // the others are in the list
+    for (const SweptProxy &one : bounded_) // list_ holds the unbounded ones
         list_.walk(BoxProbe(one.box), [&](ProxyId other) { pairs.push_back(in_order(one.proxy, other)); });
     return comparisons + find_bounded_pairs(bounded_, pairs);
 }
 
-// Few boxes may be unbounded, too.
+// Up to few_boxes items may be unbounded.
 std::size_t SortAndSweep::find_bounded_pairs(const Items &items, Pairs &pairs)
 {
     if (items.size() <= tuning::few_boxes)

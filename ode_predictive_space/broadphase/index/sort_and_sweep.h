@@ -1,4 +1,4 @@
-// All overlapping pairs of many boxes at once: sort and sweep from scratch. In: boxes. Out: pairs.
+// Sort and sweep from scratch. In: many boxes. Out: all overlapping pairs.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_SORT_AND_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_SORT_AND_SWEEP_H
@@ -12,20 +12,14 @@
 
 namespace ode_predictive_space
 {
-/// Boxes are sorted along the axis on which they are spread most. Each two neighbours in that order are compared with the boxes
-/// that begin before they end, eight at a time, by their places of 16 bits on the other two axes. The few that seem to overlap
-/// are compared exactly.
-///
-/// From some thousands of boxes on, space is first cut into slabs across the axis of the second widest spread, each several
-/// boxes wide. A box is in every slab that it reaches into; a pair counts in the slab in which the later of both begins.
-/// (Box pruning: Terdiman 2017, parts 15 and 17.)
-///
-/// Keeps its memory, not its results, from one call to the next.
+/// Boxes are sorted along the axis of their widest spread. Each two neighbours in that order are compared with the boxes that
+/// begin before they end, eight at a time, by 16-bit grid positions on the other axes; candidates are compared exactly. Many
+/// boxes are first divided into slabs along the axis of the second widest spread. A box is in each slab that it reaches; a pair
+/// is reported in the slab in which the later box begins. (Box pruning: Terdiman 2017, parts 15, 17.)
 class SortAndSweep
 {
 public:
-    /// Appends every overlapping pair, each once; the smaller number first.
-    ///
+    /// Appends each overlapping pair once, the smaller number first.
     /// @return the number of exact comparisons, a measure of the work.
     std::size_t find_pairs(const std::vector<SweptProxy> &items, std::vector<CandidatePair> &pairs);
 
@@ -35,15 +29,13 @@ private:
     using Items = std::vector<SweptProxy>;
     using Pairs = std::vector<CandidatePair>;
 
-    /// An axis cut into places.
     struct Scale
     {
         int axis = 0;
         float begin = 0, places_per_unit = 0;
     };
 
-    /// How boxes become keys: the slab in the upper half, the place along the sorted axis in the lower. Keys are less than
-    /// 2^31.
+    /// The grid for keys: the slab in the upper half, the place along the sorted axis in the lower. Keys are below 2^31.
     struct Layout
     {
         Scale along, across, other;
@@ -53,15 +45,14 @@ private:
         int bits_of_slabs(const Items &items) const;
     };
 
-    /// The places in which a box begins and ends: y is the axis of the slabs, x the sorted one.
+    /// The places in which a box begins and ends. x is the sorted axis, y that of the slabs.
     struct Sides
     {
         std::int16_t low_y, high_y, low_z, high_z;
         std::uint32_t low_x, high_x;
     };
 
-    /// The layout for all sides of a box at once. Places do not decrease with the coordinate, whatever the rounding; they are 0
-    /// also when it is not a number.
+    /// Computes all sides of a box at once. Places never decrease with the coordinate, whatever the rounding; NaN becomes 0.
     class Grid
     {
     public:
@@ -76,10 +67,10 @@ private:
         };
 
         int x_, y_, z_;  // axes
-        Cut low_, high_; // by coordinate; the high ones from the second lane on
+        Cut low_, high_; // lanes by coordinate; high_ begins in the second lane
     };
 
-    /// Sides across, of boxes in the order of their keys: one array for each side, with some to spare.
+    /// The sides of boxes on the y and z axes, in the order of their keys, one array per side.
     class Columns
     {
     public:
@@ -108,16 +99,17 @@ private:
     std::size_t sweep_rows(const Items &items, const Layout &layout, Pairs &pairs);
 
     static constexpr std::size_t row = 8;     // boxes that are compared at once
-    static constexpr std::size_t spare = row; // places behind the last box that may be compared, too
+    static constexpr std::size_t spare = row; // elements after the last box that a row may read
 
     static constexpr std::uint64_t item_mask = 0xffffffffu;
 
-    BoxList list_;                                   // of few boxes
-    Items bounded_, unbounded_;                      // when no slab can hold some of them
-    std::vector<std::uint64_t> order_, other_order_; // key, number of the item
-    std::vector<std::uint32_t> keys_, ends_;         // of the lowest and the highest coordinate along
+    // All is scratch, kept for its memory.
+    BoxList list_;                                   // few or unbounded boxes
+    Items bounded_, unbounded_;                      // the items, if some are unbounded
+    std::vector<std::uint64_t> order_, other_order_; // key in the upper half, number of the item in the lower
+    std::vector<std::uint32_t> keys_, ends_;         // low and high key of each element of order_
     std::vector<Sides> sides_;                       // by item
-    Columns columns_;                                // by place in the order
+    Columns columns_;                                // in the order of order_
 };
 } // namespace ode_predictive_space
 

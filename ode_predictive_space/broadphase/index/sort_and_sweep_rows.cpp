@@ -1,4 +1,4 @@
-// Comparing boxes in their order: each with the row of boxes that it can meet.
+// The sweep: compares each box with the row of boxes after it that may overlap it.
 
 #include <algorithm>
 
@@ -6,11 +6,9 @@
 
 namespace ode_predictive_space
 {
-// The boxes in their order. The addresses of their arrays are kept here, as they do not change when a pair is stored.
-//
-// Places only tell which boxes may overlap: along the sorted axis a row ends at the first box that begins too late, and up to
-// seven behind it are compared, too; across it places are coarser than coordinates. Boxes that seem to overlap are compared
-// exactly.
+// The boxes in the order of their keys. Array addresses are copied, so that they need no reload after each stored pair. Places
+// only give candidates, because they are coarser than coordinates and because rows of eight may reach beyond the last box that
+// begins in time. Candidates are compared exactly.
 class SortAndSweep::Rows
 {
 public:
@@ -20,14 +18,14 @@ public:
           slab_bits_(layout.slab_bits)
     {}
 
-    // Two neighbours, the i-th and the next, meet nearly the same others: these are loaded once for both, and both rows end in
-    // one mispredicted branch: at the keys greater than `end`, the farther of both ends. A box beyond the nearer end is found
-    // apart.
+    // Compares the i-th box and the next one with the boxes whose keys are at most `end`, the farther of both ends. Neighbours
+    // meet nearly the same boxes, which are loaded once for both, and both rows end in one mispredicted branch. The exact
+    // comparison rejects boxes beyond the nearer end.
     std::size_t compare_two(std::size_t i, std::uint32_t end, Pairs &pairs) const
     {
         const Probe first(*this, i), second(*this, i + 1);
         std::size_t comparisons = 0;
-        unsigned itself = 1u << row; // the first box that the second is compared with
+        unsigned itself = 1u << row; // excludes the comparison of the second box with itself
         for (std::size_t j = i + 1; keys_[j] <= end; j += row)
         {
             const Eight eight(*this, j);
@@ -42,7 +40,6 @@ public:
         return comparisons;
     }
 
-    // The i-th box with all behind it whose keys are not greater than `end`.
     std::size_t compare_one(std::size_t i, std::uint32_t end, Pairs &pairs) const
     {
         std::size_t j = i + 1;
@@ -54,7 +51,7 @@ public:
 private:
     const SweptProxy &item(std::size_t i) const { return items_[order_[i] & item_mask]; }
 
-    // Each pair counts once: in the slab in which the later of both begins.
+    // Reports each pair once, in the slab in which the later box begins.
     void compare_exactly(std::size_t i, std::size_t j, Pairs &pairs) const
     {
         const auto slab = static_cast<std::uint32_t>(std::max(low_y_[i], low_y_[j]) >> slab_bits_);
@@ -62,7 +59,6 @@ private:
             pairs.push_back(in_order(item(i).proxy, item(j).proxy));
     }
 
-    // The sides of eight boxes.
     struct Eight
     {
         Short8 low_y, high_y, low_z, high_z;
@@ -73,7 +69,6 @@ private:
         {}
     };
 
-    // The sides of one box, eight times.
     class Probe
     {
     public:

@@ -19,7 +19,6 @@ bool is_ball(const ConvexShape &shape)
     return shape.kind == ShapeKind::rounded && shape.half_sides.isZero(0);
 }
 
-// How much farther the object may reach along the axis after any turn.
 double reach_by_turning(const PredictedShape &object, const PredictedShape &other, const Vector3 &axis)
 {
     if (object.still || !object.turns || (object.about_centre && is_ball(object.shape)))
@@ -29,7 +28,7 @@ double reach_by_turning(const PredictedShape &object, const PredictedShape &othe
     return std::max(0.0, object.envelope.radius - object.shape.reach(axis));
 }
 
-// Of c + b t + a t^2, with c > 0: the first time at which it is not positive.
+// The first time at which c + b t + a t^2 is not positive. @pre c > 0.
 double time_of_closing(double c, double b, double a)
 {
     const double half = -0.5 * b, discriminant = half * half - a * c;
@@ -38,7 +37,7 @@ double time_of_closing(double c, double b, double a)
     const double divisor = half + std::sqrt(discriminant);
     return divisor > 0 ? c / divisor : infinity;
 }
-// How far one object may be nearer than the gap says: it has turned by any angle, about its centre.
+// The part of a gap to a surface that any rotation of the object may close.
 double nearer_by_turning(const PredictedShape &object)
 {
     if (object.still || !object.turns || (object.about_centre && is_ball(object.shape)))
@@ -47,7 +46,7 @@ double nearer_by_turning(const PredictedShape &object)
                                                              : infinity;
 }
 
-// In ticks, if a gap of `left` is closed in this way; none when it lasts for the duration.
+// Ticks until a gap of `left` is closed, at least 1; none if it lasts for the duration.
 std::optional<double> at_least_next_tick(double left, double speed, double half_acceleration, double duration)
 {
     if (!(left > 0))
@@ -56,7 +55,7 @@ std::optional<double> at_least_next_tick(double left, double speed, double half_
     return time <= duration ? std::optional(std::max(next_tick, time)) : std::nullopt;
 }
 
-// Beside a surface the gap has no axis: it may close along any. A surface that moves may be anywhere at the next tick.
+// A gap to a surface has no axis, so it may close along any. A surface that moves may be anywhere at the next tick.
 std::optional<double> time_beside_surface(const PredictedShape &first, const PredictedShape &second, double margin,
                                           double duration)
 {
@@ -82,7 +81,7 @@ std::optional<double> time_of_contact(const PredictedShape &first, const Predict
     if (!(gap.length > margin))
         return time_beside_surface(first, second, margin, duration);
     const Path way = relative_path(first.envelope.path, second.envelope.path);
-    // Verification keeps each coordinate within the deviation. Along a diagonal, the object may be farther off its path.
+    // The deviation bounds each coordinate. Along a diagonal, the object may be farther off its path.
     const Deviation deviation = gap.axis.lpNorm<1>() * (first.envelope.deviation + second.envelope.deviation);
     const double left = rounds_down * (gap.length - margin) - reach_by_turning(first, second, gap.axis) -
                         reach_by_turning(second, first, -gap.axis) - 2 * deviation.a;

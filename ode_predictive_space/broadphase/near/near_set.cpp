@@ -8,7 +8,7 @@ namespace ode_predictive_space
 {
 void NearSet::begin_report()
 {
-    free_memory(newly_resting_); // few reports fill it
+    free_memory(newly_resting_); // few reports use it
     activate_disturbed();
 }
 
@@ -76,9 +76,8 @@ void NearSet::want_all_by_shape()
             want(pair);
 }
 
-// Updates the shapes of postponed pairs and of pairs that rest apart. When pairs may rest, it updates all measured shapes, because the shapes of
-// a reported pair may have separated when their data changed. When the shape of an object is replaced, all its pairs become active, and are
-// looked at like new pairs.
+// Updates the shapes of postponed and separated pairs. When pairs may rest, it updates all measured shapes, because changed
+// data may have separated a reported pair. If a shape was replaced, the pairs of its object count as new ones.
 void NearSet::follow(ShapeTest &test, bool all_shapes)
 {
     wanted_ = apart_;
@@ -98,8 +97,7 @@ void NearSet::follow(ShapeTest &test, bool all_shapes)
             gaps_[i] = test.new_gap_cache(by_shape_.active[i]);
 }
 
-// Writes the pairs that are not postponed and whose boxes overlap. Those that are to be looked at are in open_, too; their shapes are
-// up to date.
+// Writes the pairs that are not postponed and whose boxes overlap. Pairs that are due for a gap check also go to open_.
 CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
 {
     wanted_.clear();
@@ -131,7 +129,7 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
     return end;
 }
 
-// Data that change at each tick would have to be read at each tick.
+// Hulls of data that change at each tick would cost more than their checks save.
 void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
 {
     if (!shapes.any_renewed())
@@ -144,7 +142,7 @@ void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
     });
 }
 
-// Is a look at an overlapping pair of use now, and can it be afforded?
+// Whether to check the gap of an overlapping pair now: its pause is over, its account allows it, and no filter excludes it.
 bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, GapCache &cache)
 {
     const ProxyId *payer = cache.payer_of(pair);
@@ -162,7 +160,7 @@ bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, GapCache 
     return false;
 }
 
-// Takes those back whose shapes cannot touch.
+// Removes the written pairs whose shapes cannot touch.
 CandidatePair *NearSet::check_open(ShapeTest &test, CandidatePair *room, CandidatePair *end)
 {
     charge_for_shapes(test.shapes());
@@ -177,7 +175,6 @@ CandidatePair *NearSet::check_open(ShapeTest &test, CandidatePair *room, Candida
     return std::remove_if(first_taken_back, end, [](const CandidatePair &pair) { return pair.first == pair.second; });
 }
 
-// Makes the pairs of all disturbed objects active.
 void NearSet::activate_disturbed()
 {
     if (disturbed_.empty())
@@ -193,7 +190,6 @@ void NearSet::activate_disturbed()
     }
 }
 
-// @return their number.
 std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std::vector<CandidatePair> &active)
 {
     CandidatePair *left = resting.data();
@@ -208,7 +204,6 @@ std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std
     return activated;
 }
 
-// Lets those pairs rest whose objects have not moved since the last call; their states are known from now on.
 void NearSet::let_rest(const OverlapTest &test)
 {
     std::vector<CandidatePair> &active = by_box_.active;
@@ -222,7 +217,7 @@ void NearSet::let_rest(const OverlapTest &test)
     give_back_spare(active);
 }
 
-// As they were reported. (The shapes of those that were not looked at are out of date.)
+// The states are those of the last report, because shapes that needed no check are out of date.
 void NearSet::let_rest_by_shape(const OverlapTest &test)
 {
     keep_by_shape([&](const CandidatePair &pair, std::size_t i) {

@@ -1,5 +1,4 @@
-// The near set: the pairs whose envelopes overlap. In: such pairs, when one of their objects has got another envelope. Out: at each
-// tick those of them that do overlap.
+// The near set: the pairs whose envelopes overlap. In: pairs of new envelopes. Out: at each tick, the pairs to report.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_NEAR_SET_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_NEAR_SET_H
@@ -16,31 +15,27 @@
 
 namespace ode_predictive_space
 {
-/// What is known of a near pair.
 enum class PairState
 {
-    active,     ///< nothing that lasts: the pair is tested at each tick
-    separated,  ///< the pair rests, and its objects do not overlap; or their shapes do not touch
-    overlapping ///< the pair rests, and its objects overlap; or their shapes may touch
+    active,     ///< the pair is tested at each tick
+    separated,  ///< the pair rests, and is not reported
+    overlapping ///< the pair rests, and is reported without a test
 };
 
-/// Pairs that are all tested in the same way, in the order in which they became active.
 struct NearPairs
 {
     std::vector<CandidatePair> active;
-    std::vector<CandidatePair> overlapping, separated; ///< at rest
+    std::vector<CandidatePair> overlapping, separated; ///< resting pairs
 
     std::size_t resting() const { return overlapping.size() + separated.size(); }
     std::size_t size() const { return active.size() + resting(); }
     std::size_t bytes() const { return bytes_of(active) + bytes_of(overlapping) + bytes_of(separated); }
 };
 
-/// A pair is active, or it rests until one of its objects moves. When an object is retired, all its pairs are stale, and are dropped
-/// together with those of others.
+/// A pair is active, or it rests until one of its objects moves. Pairs of retired objects are stale until drop_retired().
 class NearSet
 {
 public:
-    /// Makes room for objects 0 to count - 1.
     void resize(std::size_t count)
     {
         for (IdSet *set : {&resting_, &apart_, &wanted_})
@@ -48,10 +43,10 @@ public:
         resize_array(is_retired_, count);
     }
 
-    /// @param by_shape the contacts of the pair are costly to find: it is reported when its shapes may touch.
+    /// @param by_shape the pair is reported only if its shapes may touch.
     void add(const CandidatePair &pair, bool by_shape) { (by_shape ? by_shape_ : by_box_).active.push_back(pair); }
 
-    /// The object is getting another envelope, or is gone.
+    /// The object gets a new envelope or is removed: its pairs are stale.
     void retire(ProxyId id)
     {
         disturb(id);
@@ -59,12 +54,11 @@ public:
         has_retired_ = true;
     }
 
-    /// The object is gone. Throws nothing.
+    /// Closes the gap budget of a removed object. Throws nothing.
     void close_account(ProxyId id) { budget_.close(id); }
 
     bool has_retired() const { return has_retired_; }
 
-    /// The object has moved: its pairs must not rest.
     void disturb(ProxyId id)
     {
         if (!resting_.contains(id))
@@ -74,29 +68,22 @@ public:
     }
     bool rests(ProxyId id) const { return resting_.contains(id); }
 
-    /// Drops the pairs of all retired objects, and calls visit(pair) for each before.
+    /// Drops the pairs of all retired objects, after visit(pair).
     template <typename Visit> void drop_retired(Visit visit);
 
-    /// Room that report() needs for its pairs.
     std::size_t most_pairs() const { return by_box_.size() + by_shape_.size(); }
 
-    /// Writes the pairs that overlap to `room`, which has room for most_pairs(). Now and then, pairs whose objects have not moved
-    /// come to rest.
-    ///
-    /// @param update the present one.
-    /// @return the end of what was written.
+    /// Writes the pairs that overlap. At some reports, pairs whose objects have not moved come to rest.
+    /// @param room for most_pairs(). @return the end of the written pairs.
     CandidatePair *report(const OverlapTest &test, UpdateNumber update, CandidatePair *room);
 
-    /// Does the same, but writes pairs that were added by shape only when they overlap and their shapes may touch. Shapes are brought up
-    /// to date where they are needed.
+    /// As above, but pairs that were added by shape are written only if their shapes may touch, too. Updates shapes as needed.
     CandidatePair *report(ShapeTest &test, UpdateNumber update, CandidatePair *room);
 
-    /// The objects of the pairs that the last report let rest, some of them several times. Their next moves must be seen.
+    /// The objects of pairs that came to rest in the last report, possibly repeated. Each must be listed at its next notice.
     const std::vector<ProxyId> &newly_resting() const { return newly_resting_; }
 
-    /// Drops all pairs.
     void clear();
-    /// The same, and gives their memory back.
     void release();
 
     /// Calls visit(pair, state) for all pairs that are not stale.
@@ -110,7 +97,7 @@ public:
         }
     }
 
-    /// Calls visit(pair) for the active pairs that were postponed at the last report, and whose shapes are the ones of that report.
+    /// Calls visit(pair) for the active pairs that the last report postponed, unless their shapes have been replaced since.
     template <typename Visit> void for_each_postponed(const MeasuredShapes &shapes, Visit visit) const
     {
         for (std::size_t i = 0; i < gaps_.size(); ++i)
@@ -121,11 +108,9 @@ public:
         }
     }
 
-    /// Active pairs that are tested by box; stale ones among them.
+    /// Includes stale pairs.
     const std::vector<CandidatePair> &active() const { return by_box_.active; }
-    /// Pairs at rest.
     std::size_t resting() const { return by_box_.resting() + by_shape_.resting(); }
-    /// Pairs that have rested and do not any more, since the set was made.
     std::uint64_t woken() const { return woken_; }
 
     std::size_t bytes() const
@@ -136,11 +121,11 @@ public:
     }
 
 private:
-    /// A pair to look at.
+    /// A pair whose gap check is due.
     struct Open
     {
-        std::uint32_t number; ///< among by_shape_.active
-        std::uint32_t place;  ///< among those that are written
+        std::uint32_t number; ///< index in by_shape_.active
+        std::uint32_t place;  ///< index in the written pairs
     };
 
     void begin_report();
@@ -160,14 +145,14 @@ private:
 
     void want_all_by_shape();
 
-    /// Keeps those active pairs by shape for which stays(pair, its number) is true, with their looks.
+    /// Keeps the active pairs by shape, and their gap caches, for which stays(pair, index) is true.
     template <typename Stays> void keep_by_shape(Stays stays);
 
     void activate_disturbed();
     std::size_t activate_disturbed(std::vector<CandidatePair> &resting, std::vector<CandidatePair> &active);
     bool is_time_to_rest()
     {
-        // Most of what never moves is there from the beginning.
+        // The first two are early, because most objects that never move exist from the beginning.
         ++reports_;
         return reports_ == 2 || reports_ == 8 || reports_ % tuning::reports_per_rest == 0;
     }
@@ -194,15 +179,15 @@ private:
     }
 
     NearPairs by_box_, by_shape_;
-    std::vector<GapCache> gaps_;     // of the first so many of by_shape_.active; the others are new
-    IdSet resting_;                  // objects with a pair at rest
-    std::vector<ProxyId> disturbed_; // were among them
+    std::vector<GapCache> gaps_;     // by index of by_shape_.active; pairs without a test yet have none
+    IdSet resting_;                  // objects with resting pairs
+    std::vector<ProxyId> disturbed_; // objects whose resting pairs must become active
     std::vector<ProxyId> newly_resting_;
-    IdSet apart_; // objects with a pair by shape that rested apart when pairs were last let rest
+    IdSet apart_; // objects with a separated pair by shape, as of the last let_rest_by_shape()
     std::uint64_t woken_ = 0;
-    unsigned reports_ = 0;                 // so far; decides when pairs are let rest
-    UpdateNumber rested_ = 0;              // when that was last
-    std::vector<std::uint8_t> is_retired_; // bytes, not bits: two are looked up for each pair
+    unsigned reports_ = 0;
+    UpdateNumber rested_ = 0;              // the last update at which pairs could come to rest
+    std::vector<std::uint8_t> is_retired_; // bytes, because two are read for each pair
     bool has_retired_ = false;
     GapBudget budget_;
     IdSet wanted_;           // scratch

@@ -1,4 +1,4 @@
-// Do two objects overlap now? In single precision first; exactly only where that is too close to tell.
+// The overlap test: in single precision first, exactly only if that is too close to decide.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_OVERLAP_TEST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_OVERLAP_TEST_H
@@ -10,14 +10,14 @@
 
 namespace ode_predictive_space
 {
-/// @pre the tight boxes of all objects that are tested are up to date.
+/// @pre the tight boxes of all tested objects are up to date.
 struct OverlapTest
 {
     Scene &scene;
     const Place *places;
     bool by_sphere; ///< bounding spheres must overlap, too
-    Float4 doubt;   ///< of the origin
-    Float4 certain; ///< pairs of boxes that overlap by more are reported, wherever they are; infinite by sphere
+    Float4 doubt;   ///< Origin::doubt()
+    Float4 certain; ///< tight boxes that overlap by more overlap for certain, anywhere; infinite by sphere
 
     bool operator()(const CandidatePair &pair) const
     {
@@ -25,7 +25,7 @@ struct OverlapTest
         return rough.is_doubtful() ? overlap_closely(pair) : rough.overlap;
     }
 
-    /// Copies the pairs that overlap. A processor does not foresee whether the next one does, so no branch depends on it.
+    /// Copies the pairs that overlap. The copy is branch-free, as overlap cannot be predicted.
     CandidatePair *copy_overlapping(const std::vector<CandidatePair> &pairs, CandidatePair *end) const
     {
         for (const CandidatePair &pair : pairs)
@@ -38,7 +38,7 @@ struct OverlapTest
     }
 
 private:
-    // What is certain in single precision. At most one of the two is true.
+    // Results that are certain in single precision. At most one is true.
     struct Rough
     {
         bool apart, overlap;

@@ -9,7 +9,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Part of the smaller size of two objects: so far apart, programs may find contacts, because they compute with tolerances.
+// Distance at which colliders with tolerances may find contacts, as a part of the smaller object's size.
 constexpr double contact_slack = 1e-3;
 
 double slack(const ConvexShape &first, const ConvexShape &second)
@@ -23,7 +23,7 @@ double slack(const ConvexShape &first, const ConvexShape &second)
     return of_sizes + first.place_slack + second.place_slack;
 }
 
-// Have the shapes no gap larger than the margin, because the balls within them have none? In piles most pairs are told so.
+// Whether inscribed balls prove that no gap exceeds the margin. This decides most pairs in piles.
 bool touch_within(const ConvexShape &first, const ConvexShape &second, double margin)
 {
     const auto has_ball = [](const ConvexShape &shape) {
@@ -33,7 +33,7 @@ bool touch_within(const ConvexShape &first, const ConvexShape &second, double ma
     return has_ball(first) && has_ball(second) && (second.centre - first.centre).squaredNorm() <= reach * reach;
 }
 
-// Is a hull of no use there? Terrain has none.
+// Whether a shape at this point is most likely inside the mesh's hull, which then proves no gap. Terrain has no hull.
 bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
 {
     return mesh.kind == ShapeKind::terrain ||
@@ -59,8 +59,7 @@ bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, doubl
              surface_gap(first, second, distance).length > distance);
 }
 
-// To the hulls, and where these have none, to the surface of one. A shape whose centre is in the box of a mesh is most likely in its
-// hull, too.
+// The gap between the hulls; without one, the gap to a surface. A shape inside a mesh's hull skips the first search.
 Gap ShapeTest::gap_between(const CandidatePair &pair, const GapCache &cache, double margin)
 {
     const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];

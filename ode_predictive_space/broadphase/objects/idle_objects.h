@@ -1,7 +1,6 @@
-// Objects that are disabled: they are in no reported pair, so no pairs are looked for and kept for them.
-//
-// ODE enables and disables geoms without notice. A disabled object is found when it gets a new envelope, or when a pair of
-// it comes up for report. From then on it is polled, so that it takes part again from the tick at which it is enabled.
+// Disabled objects. They are in no reported pair, so the near set holds no pairs of them. ODE enables and disables geoms
+// without notice. A disabled object is found when it gets a new envelope, or when the report reaches one of its pairs. From
+// then on it is polled, so that it takes part again from the tick at which it is enabled.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_IDLE_OBJECTS_H
@@ -18,13 +17,12 @@ class IdleObjects
 public:
     void resize(std::size_t count) { members_.resize(count); }
 
-    /// Notes those of the objects that are disabled now.
     void note(Scene &scene, const ProxyId *ids, std::size_t count)
     {
         note(scene, ids, count, [](ProxyId) {});
     }
 
-    /// The same, and calls visit(id) for each that was not noted before.
+    /// Adds the objects that are disabled now, and calls visit(id) for each new one.
     template <typename Visit> void note(Scene &scene, const ProxyId *ids, std::size_t count, Visit visit)
     {
         if (count == 0)
@@ -41,7 +39,6 @@ public:
         }
     }
 
-    /// Drops all that have been enabled again, and calls visit(id) for each.
     template <typename Visit> void drop_enabled(Scene &scene, Visit visit)
     {
         if (count_ == 0)
@@ -67,7 +64,6 @@ public:
         members_.erase(id);
     }
 
-    /// Gives the memory of scratch back.
     void release()
     {
         free_memory(polled_);
@@ -81,7 +77,7 @@ public:
 
 private:
     IdSet members_;
-    std::size_t count_ = 0;                  // of members_
+    std::size_t count_ = 0;                  // number of members_
     std::vector<ProxyId> polled_, disabled_; // scratch
 };
 } // namespace ode_predictive_space

@@ -82,7 +82,7 @@ bool MeasuredShapes::is_current(Scene &scene, ProxyId id, UpdateNumber moved) co
     return !(shape.hull || shape.awaits_hull) || !scene.hull_is_outdated(id, shape);
 }
 
-// Gives each stale object a place for its shape, and notes where that is.
+// Collects pointers only after all places exist, because adding one may move the shapes.
 void MeasuredShapes::make_places()
 {
     for (ProxyId id : stale_)

@@ -1,4 +1,4 @@
-// The shapes of objects as they were last looked at, and how far each object has travelled.
+// The shapes of objects as last measured, and the travel of each object.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
@@ -13,33 +13,26 @@
 
 namespace ode_predictive_space
 {
-/// Takes memory only while it is in use, and holds the shapes of the objects that were last wanted alone: most objects of a large
-/// scene are near no other.
-///
-/// The travel of an object is a sum: it grows by at least as much as any point of the surface has moved, turning included.
-/// Two objects that were a gap apart cannot touch before their travels have grown by that gap together. What happened between
-/// two looks does not matter, because the sum of moves is never less than the move from the first to the last place.
+/// Holds shapes only of wanted objects, because most objects of a large scene are near no other. At each update of a shape, the
+/// travel of its object grows by at least the displacement of its surface. So two shapes with a gap cannot touch before the sum
+/// of their travels has grown by that gap.
 class MeasuredShapes
 {
 public:
-    /// Nothing is known of objects 0 to count - 1. On an exception nothing has changed.
+    /// On an exception nothing has changed.
     void start(std::size_t count);
-    /// Gives all memory back.
     void stop() { *this = {}; }
     bool in_use() const { return in_use_; }
 
-    /// Makes room for objects 0 to count - 1, when in use.
     void resize(std::size_t count);
 
-    /// Gives the shape back: the object is gone, or is made of other data.
+    /// Drops the shape of an object that was removed or is made of other data.
     void forget(ProxyId id);
 
-    /// Looks at those wanted objects that are there and have moved or whose data are others, and adds to their travels. Goes on with
-    /// the hulls that any object awaits.
+    /// Measures the wanted objects that have moved or have other data, adds to their travels, and continues awaited hulls.
     void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
 
-    /// Objects were seen for the first time, or resized, since the last clear_renewed(): their travels say nothing about the time
-    /// before.
+    /// Whether shapes were measured for the first time, or replaced, since clear_renewed(). Travels do not cover such changes.
     bool any_renewed() const { return any_renewed_; }
     const IdSet &renewed() const { return renewed_; }
     bool renewed(const CandidatePair &pair) const
@@ -48,13 +41,12 @@ public:
     }
     void clear_renewed();
 
-    /// Has the object been looked at, and not been forgotten since?
     bool has_shape(ProxyId id) const { return places_[id] > 0; }
 
-    /// The shape of an object. @pre has_shape(id).
+    /// @pre has_shape(id).
     const ConvexShape &operator[](ProxyId id) const { return shapes_[place_of(id)]; }
 
-    /// Gives the shapes of all other objects back: when they are looked at again, it is as for the first time.
+    /// Drops the shapes of all other objects. Their next measure counts as the first.
     void keep_only(const IdSet &wanted);
 
     void add_owners_to(IdSet &ids) const
@@ -63,7 +55,6 @@ public:
             ids.insert(id);
     }
 
-    /// Of both objects together.
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
 
     std::size_t bytes() const;
@@ -77,15 +68,15 @@ private:
 
     bool in_use_ = false;
     std::vector<ConvexShape> shapes_;
-    std::vector<ProxyId> owners_;       // of these
-    std::vector<std::uint32_t> places_; // of each object among these, counted from 1; 0: it has none
-    std::vector<double> travels_;       // of the objects
-    std::vector<UpdateNumber> seen_;    // of each object, the update that saw its last move before it was looked at
+    std::vector<ProxyId> owners_;       // by index of shapes_
+    std::vector<std::uint32_t> places_; // by object: index of shapes_ plus 1, or 0 without a shape
+    std::vector<double> travels_;       // by object
+    std::vector<UpdateNumber> seen_;    // by object: Place::moved() when its shape was measured
     IdSet renewed_;
     IdSet awaited_; // objects whose hulls are being made
     bool any_renewed_ = false;
     std::vector<ProxyId> stale_;          // scratch
-    std::vector<ConvexShape *> followed_; // scratch: the shapes of these
+    std::vector<ConvexShape *> followed_; // scratch: the shapes of stale_
     std::vector<double> moves_;           // scratch
 };
 } // namespace ode_predictive_space

@@ -1,6 +1,4 @@
-// Where an object is, and where it may be: its tight box and its envelope, in one cache line. A notice of a move compares the two.
-//
-// An envelope is a place: it holds the object for as long as the object stays in it, however much time passes.
+// The tight box and the envelope of an object, in one cache line. An envelope is valid until the object leaves it.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PLACE_H
@@ -16,31 +14,30 @@
 
 namespace ode_predictive_space
 {
-/// Number of an update of the broad phase, of 26 bits; it wraps around.
+/// Number of an update of the broad phase. It has 26 bits and wraps around.
 using UpdateNumber = std::uint32_t;
 
-/// Updates from `from` to `to`; negative when `to` is earlier.
+/// Negative when `to` is earlier than `from`.
 inline std::int32_t updates_between(UpdateNumber from, UpdateNumber to)
 {
     return static_cast<std::int32_t>((to - from) << 6) / 64;
 }
 
-/// The check that a notice of a move makes.
 enum class Watch : std::uint8_t
 {
-    nothing = 0, ///< the next update measures the object
+    nothing = 0, ///< none: the next update measures the object
     carried = 1, ///< as `centre`, for a centre that is computed from the pose of a body and an offset
     centre = 2,  ///< the centre with the box of allowed centres
     sphere = 4,  ///< the tight box of a sphere with the envelope
-    capsule = 5, ///< that of a segment along the z axis with a radius
-    box = 6,     ///< that of a box
-    cylinder = 7 ///< that of a cylinder about the z axis
+    capsule = 5, ///< the tight box of a capsule along the z axis
+    box = 6,     ///< the tight box of a box
+    cylinder = 7 ///< the tight box of a cylinder along the z axis
 };
 
-/// An object whose bounding box follows from its pose alone, by the formula of its kind.
+/// An object whose bounding box is a function of its pose.
 struct Solid
 {
-    Watch formula = Watch::nothing; ///< nothing: there is no formula
+    Watch formula = Watch::nothing; ///< Watch::nothing without a formula
     /// Half sizes. A sphere has its radius in x; a capsule and a cylinder have the radius in x and half the length in z.
     float x = 0, y = 0, z = 0;
 
@@ -50,30 +47,26 @@ struct Solid
     }
 };
 
-/// What the notice of a move tells.
 enum class Followed
 {
-    moved, ///< and still in its envelope
-    same,  ///< nothing has changed, as far as single precision tells and unless the size has; in its envelope
-    left_as_measured, ///< it is not in its envelope, and its tight box is known
-    left              ///< it is not in its envelope
+    moved,            ///< inside the envelope
+    same,             ///< inside the envelope, with an unchanged pose in single precision; the size may have changed
+    left_as_measured, ///< outside the envelope; the tight box is measured
+    left              ///< outside the envelope, or not compared
 };
 
-/// A box in the first three lanes of two vectors.
 struct TightBox
 {
     Float4 low, high;
 
-    /// A box of these half sizes, and outwards by more than round-off, that of the program's own box included. Around a centre
-    /// beyond single precision, it is not finite.
-    ///
-    /// @param doubt of the origin.
+    /// A box of these half sizes, enlarged by more than the round-off of it and of the program's box. It is not finite if the
+    /// centre is beyond single precision. @param doubt Origin::doubt().
     static TightBox around(Float4 centre, Float4 half, Float4 doubt)
     {
         constexpr float unit = 6 * std::numeric_limits<float>::epsilon();
         const Float4 outer = half + ((abs(centre) + half) * Float4::all(unit) + doubt);
         const Float4 finite =
-            min(outer, Float4::all(std::numeric_limits<float>::max())); // infinity less itself is no number
+            min(outer, Float4::all(std::numeric_limits<float>::max())); // infinity - infinity would be NaN
         return {centre - finite, centre + finite};
     }
 
@@ -83,7 +76,7 @@ struct TightBox
     }
 };
 
-/// False, too, when anything is not a number.
+/// False for NaN, too.
 inline bool is_finite(const TightBox &box)
 {
     const Float4 most = Float4::all(std::numeric_limits<float>::max());
@@ -95,14 +88,13 @@ class alignas(64) Place
 public:
     // --- The envelope ---
 
-    /// Holds no object until the envelope is set.
     Place()
     {
         forget_envelope();
         hide();
     }
 
-    /// Until it is set again, the envelope holds nothing.
+    /// Sets an inverted envelope, which holds nothing.
     void forget_envelope() { set_envelope({Float4::all(infinity), Float4::all(-infinity)}); }
     bool has_envelope() const { return low_[0] != infinity || high_[0] != -infinity; }
     FloatBox envelope() const { return {{low_[0], low_[1], low_[2]}, {high_[0], high_[1], high_[2]}}; }
@@ -113,29 +105,26 @@ public:
         box.high.store_three(high_);
     }
 
-    /// Are the envelopes apart? False when anything is not a number.
+    /// False for NaN.
     friend bool envelopes_apart(const Place &one, const Place &other)
     {
         return apart(one.low(), one.high(), other.low(), other.high());
     }
 
-    /// An envelope around a sphere becomes one around the tight box in it.
+    /// Shrinks an envelope that was made around a sphere of this radius to one around the tight box.
     void tighten(float radius);
 
     // --- The tight box ---
 
-    /// The watch follows from what happened to the object last: measure(), watch_centre(), watch_carried() or stop_watching().
     Watch watch() const { return static_cast<Watch>(state_ >> watch_shift); }
-    /// Does each notice compare the centre alone?
     bool watches_centre() const { return watch() == Watch::carried || watch() == Watch::centre; }
-    /// Does each notice measure the tight box?
     bool watches_solid() const { return watch() > Watch::centre; }
-    /// From now on notices check nothing, and the update after a notice measures the object.
+    /// Notices compare nothing from now on; the update after a notice measures the object.
     void stop_watching() { set_watch(Watch::nothing); }
     static constexpr UpdateNumber last_update = ~UpdateNumber{0} >> 6;
     UpdateNumber moved() const { return state_ & last_update; }
 
-    /// @return false when it was noted before.
+    /// @return false if the move was already noted.
     bool note_move(UpdateNumber update)
     {
         const std::uint32_t state = update | counted_bit | (state_ & kept_bits);
@@ -143,16 +132,15 @@ public:
         state_ = state;
         return is_new;
     }
-    /// It may have moved by less than single precision tells: that is no move to be counted.
+    /// Notes a possible move below single precision, which does not count as a move.
     void note_doubtful_move(UpdateNumber update)
     {
         if (moved() != update)
             state_ = update | (state_ & kept_bits);
     }
 
-    /// Measures the tight box by the formula of the solid, as each notice does from now on.
-    ///
-    /// @return false when the solid has no formula, or its box is not finite: then nothing is watched, and the box is not set.
+    /// Measures the tight box by the formula of the solid, which notices use from now on.
+    /// @return false if there is no formula or the box is not finite; then nothing is watched, and the box is not set.
     template <typename Real>
     bool measure(const Solid &solid, const Real *position, const Real *rotation, const Origin &origin)
     {
@@ -174,15 +162,12 @@ public:
     }
     Solid solid() const { return {watch(), half_x_, half_y_, half_z_}; }
 
-    /// From now on the centre is watched: the object stays within a sphere of this radius around it.
-    ///
-    /// @param centre as it is now.
-    /// @param doubt of the origin.
+    /// Notices compare the centre from now on. @param doubt Origin::doubt().
+    /// @param radius of a sphere around the centre that holds the object in any orientation.
     void watch_centre(const float *centre, float radius, Float4 doubt);
     float watched_radius() const { return half_y_; }
-    /// As above, for a centre that is computed from the pose of a body and an offset from it.
-    ///
-    /// @param offset the radius allows for the rounding with offsets whose coordinates are no larger than this.
+    /// As above, for a centre that is computed from the pose of a body and an offset.
+    /// @param offset largest coordinate of an offset for whose rounding the radius allows.
     void watch_carried(const float *centre, float radius, Float4 doubt, float offset)
     {
         watch_centre(centre, radius, doubt);
@@ -196,7 +181,7 @@ public:
         box.low.store_three(tight_low_);
         box.high.store_three(tight_high_);
     }
-    /// A box that holds that of the program, from the origin.
+    /// Sets the tight box to hold the program's box. @param box relative to the origin.
     void set_tight(const Box &box)
     {
         const TightBox rounded{Float4::rounded_down(box.min().data(), 1, 1),
@@ -208,7 +193,6 @@ public:
         set_tight(TightBox::of(outer));
         note_overflow(box, outer);
     }
-    /// Nothing is known of where the object is.
     void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
 
     FloatBox tight() const
@@ -217,9 +201,9 @@ public:
     }
     TightBox tight_lanes() const { return {tight_low(), tight_high()}; }
 
-    /// Does the envelope hold the tight box? False when anything is not a number.
+    /// Whether the envelope holds the tight box. False for NaN.
     bool holds() const { return has_envelope() && holds(tight_low(), tight_high()); }
-    /// Is a side of the envelope at infinity, and not that of the object? It holds the object wherever it goes, and meets all others.
+    /// Whether the envelope is infinite on a side on which the tight box is finite, so that it would never be left there.
     bool is_boundless() const
     {
         if (has_end())
@@ -230,7 +214,7 @@ public:
     }
     bool has_end() const { return is_finite({low(), high()}); }
 
-    /// The object may have moved: measures what is watched.
+    /// Compares a new pose. @pre watch() is Watch::centre, or watches_solid().
     template <typename Real> Followed follow(const Real *position, const Real *rotation, const Origin &origin)
     {
         if (watch() == Watch::centre)
@@ -245,7 +229,7 @@ public:
         return outcome(is_inside, changed);
     }
 
-    /// The same for an object that is watched by its centre.
+    /// follow() for an object that is watched by its centre.
     Followed follow_centre(Float4 centre)
     {
         const float digest = digest_of(centre);
@@ -257,21 +241,18 @@ public:
 
     // --- Pairs ---
 
-    /// By how much two tight boxes overlap, along each axis.
     friend Float4 overlap_depths(const Place &one, const Place &other)
     {
         return min(one.tight_high(), other.tight_high()) - max(one.tight_low(), other.tight_low());
     }
 
-    /// What single precision tells of two tight boxes.
     friend bool surely_apart(const Place &one, const Place &other)
     {
         return apart(one.tight_low(), one.tight_high(), other.tight_low(), other.tight_high());
     }
-    /// Do they overlap by more than they are larger than the program's own boxes? @param doubt of the origin.
+    /// Whether the tight boxes overlap by more than their enlargement, so the program's boxes do. @param doubt Origin::doubt().
     friend bool surely_overlap(const Place &one, const Place &other, Float4 doubt);
-    /// Two tight boxes are larger than the program's own by less than this part of the farthest coordinate, and this often the doubt of
-    /// the origin.
+    /// Bounds of the enlargement of two tight boxes: a part of the farthest coordinate, and multiples of Origin::doubt().
     static constexpr float rounding = 32 * std::numeric_limits<float>::epsilon(), most_doubts = 4;
 
 private:
@@ -297,7 +278,6 @@ private:
         return (((inner_low >= low()) & (inner_high <= high())).bits() & three_lanes) == three_lanes;
     }
 
-    // The box of a watched solid.
     template <typename Real> TightBox measured(const Real *position, const Real *rotation, const Origin &origin) const
     {
         return TightBox::around(origin.nearest_of_stored(position), half_extents(rotation), origin.doubt());
@@ -317,8 +297,8 @@ private:
                along_z;
     }
 
-    // How far a disc of radius 1 across the z axis reaches along each axis of space. The difference is computed in double precision:
-    // the square root enlarges the error of a small one.
+    // The reach of a disc of radius 1, perpendicular to the z axis, along each axis of space. The difference is computed in
+    // double precision, because the square root of a small difference enlarges its error.
     template <typename Real> static Float4 reach_of_disc(const Real *rotation)
     {
         const auto squared = [rotation](int axis) {
@@ -339,7 +319,7 @@ private:
         state_ |= doubtful ? doubt_bit : 0;
     }
 
-    // Halves: a sum of numbers beyond single precision is infinite, not none.
+    // A checksum by which a notice finds a changed centre. Small weights keep the sum of large coordinates finite.
     static float digest_of(Float4 centre) { return (centre * Float4(0.25f, 0.34293f, 0.43478f, 0)).sum_of_three(); }
 
     static Followed outcome(bool is_inside, bool changed)
@@ -347,9 +327,8 @@ private:
         return !is_inside ? Followed::left : changed ? Followed::moved : Followed::same;
     }
 
-    // Behind each vector, in its fourth lane, is something else. While the centre is watched, tight_low and tight_high are the box
-    // of allowed centres, half_x a digest of the last one, half_y the radius, and half_z the largest offset that
-    // the radius allows for.
+    // Each array is loaded as a vector; the member after it is in the ignored fourth lane. While the centre is watched,
+    // tight_low_ and tight_high_ are the allowed centres, half_x_ is a digest, half_y_ the radius, half_z_ the allowed offset.
     float low_[3];
     float half_x_ = 0;
     float high_[3];
@@ -357,9 +336,9 @@ private:
     float tight_low_[3];
     float half_z_ = 0;
     float tight_high_[3];
-    // From the lowest bit on: 26 bits with the update that will see the last move; a bit that is always 0; whether a side of the box
-    // overflows single precision; whether the move is counted; three bits with the watch. It is compared as a float with the rest of
-    // its vector, and is finite because the bit that is always 0 belongs to the exponent.
+    // From the lowest bit on: 26 bits with the update that processes the last move; a bit that is always 0; whether a side of
+    // the box overflows single precision; whether the move is counted; three bits with the watch. As the fourth lane of a
+    // vector it is a finite float, because the bit that is always 0 belongs to the exponent.
     std::uint32_t state_ = 0;
 };
 static_assert(sizeof(Place) == 64, "one cache line per notice");
@@ -368,7 +347,7 @@ inline bool surely_overlap(const Place &one, const Place &other, Float4 doubt_of
 {
     if ((one.state_ | other.state_) & Place::doubt_bit)
         return false;
-    // A side is off by less than this part of both sides of its box. A side at infinity is not off.
+    // A side is enlarged by less than this part of both sides of its box; an infinite side is not enlarged.
     constexpr float unit = 16 * std::numeric_limits<float>::epsilon();
     const auto finite_size = [](Float4 side) { return finite_or_zero(abs(side)); };
     const Float4 sizes = (finite_size(one.tight_low()) + finite_size(one.tight_high())) +
@@ -379,7 +358,7 @@ inline bool surely_overlap(const Place &one, const Place &other, Float4 doubt_of
     return ((before & after).bits() & three_lanes) == three_lanes;
 }
 
-// The margin is more than what is lost by rounding here and when the box is measured.
+// The margin exceeds the round-off here and of the measured box.
 inline void Place::tighten(float radius)
 {
     constexpr float unit = 16 * std::numeric_limits<float>::epsilon();

@@ -1,4 +1,4 @@
-// What the broad phase keeps of each object: its place, and what its next prediction is made of.
+// The objects of the broad phase: the place of each, and the record that its next prediction uses.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PROXY_STORE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_PROXY_STORE_H
@@ -14,19 +14,17 @@
 
 namespace ode_predictive_space
 {
-/// The part of the index that an envelope is in.
 enum class TreeKind : std::uint8_t
 {
     none,
     tree,
-    list ///< of those that no tree can hold, and of all in a small scene
+    list ///< for envelopes that no tree can hold, and for all of a small scene
 };
 
-/// The role of an object, and whether the program or the space chose it.
 enum class Role : std::uint8_t
 {
     environment,       ///< by default
-    interactive,       ///< recognised: the object moved without a body to tell its velocity
+    interactive,       ///< recognised, because the object moved without a dynamic body
     fixed_environment, ///< set by the program
     fixed_interactive  ///< set by the program
 };
@@ -36,42 +34,40 @@ inline bool is_interactive(Role role)
     return role == Role::interactive || role == Role::fixed_interactive;
 }
 
-/// The last prediction of an object, and what came of it. One cache line. Written by predict, but for the shelf.
+/// The last prediction of an object, and the tests of its pairs since then.
 struct alignas(64) ProxyRecord
 {
-    float position[3];     ///< of the centre, where the path begins
-    float velocity[3];     ///< of the body, in the program's unit; per tick of an object without one
+    float position[3];     ///< the centre, where the path begins
+    float velocity[3];     ///< with a body in the program's unit, otherwise per tick
     float acceleration[3]; ///< per tick^2
-    float reach;           ///< how far ahead the envelope reaches, in sizes; adapts
-    float spread;          ///< how far the object was off its paths, as a part of the way; adapts
+    float reach;           ///< in sizes; adapts
+    float spread;          ///< deviation per distance travelled; adapts
     float size;            ///< the largest side
-    float radius;          ///< of a sphere around the centre that holds the object; may be infinite
+    float radius;          ///< a sphere of it around the centre holds the object; may be infinite
     Tick since;            ///< the tick of the prediction, or of a later leap
     std::uint16_t tests;   ///< pairs that were tested since then
-    std::uint16_t useless; ///< of these, pairs that were apart at the end
-    Role role;             ///< set by the program; predict recognises Role::interactive
-    TreeKind tree_kind;    ///< written by the index
-    bool predicted : 1;    ///< at least once
-    bool has_body : 1;     ///< which tells the velocity
-    bool is_rounded : 1;   ///< it was so far away that rounding made much of its box
-    bool leapt : 1;        ///< since the prediction
-    bool is_costly : 1;    ///< the contacts of its shape are costly to find
+    std::uint16_t useless; ///< tested pairs that were apart at the end
+    Role role;
+    TreeKind tree_kind;  ///< written by the index
+    bool predicted : 1;  ///< at least once
+    bool has_body : 1;   ///< the velocity is that of a body
+    bool is_rounded : 1; ///< rounding dominates the box, because the object is far from the origin
+    bool leapt : 1;      ///< since the prediction
+    bool is_costly : 1;  ///< contacts of the shape are costly to find
 
     bool had_overlap() const { return useless < tests; }
-    /// Had it a body that is not kinematic at the last prediction, or has it moved by then, or leapt since?
     bool can_move() const { return has_body || leapt || is_interactive(role); }
 };
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
 
-/// The objects. Numbers are reused, the last one given back first.
 class ProxyStore
 {
 public:
     std::vector<Place, CacheLineAllocator<Place>> places;
     std::vector<ProxyRecord> records;
 
-    /// Should the pair be tested by shape? Its contacts are costly to find, or the program has said of one of the two that a person drives it.
-    /// Two costly objects that cannot move are tested by box: they are pieces of a landscape.
+    /// Whether the shape test applies to the pair: its contacts are costly to find, or the program has made one object
+    /// interactive. Two costly objects that cannot move are pieces of a landscape, and are tested by box.
     bool is_checked_by_shape(ProxyId first, ProxyId second) const
     {
         const ProxyRecord &one = records[first], &other = records[second];
@@ -81,7 +77,6 @@ public:
                other.role == Role::fixed_interactive;
     }
 
-    /// Has the program said of any object that a person drives it?
     bool any_hand() const { return hands_ > 0; }
 
     void set_role(ProxyId id, Role role)
@@ -91,12 +86,12 @@ public:
         records[id].role = role;
     }
 
-    /// Numbers in use are below this.
+    /// All numbers are below this.
     std::size_t size() const { return records.size(); }
     std::size_t count() const { return count_; }
     const IdSet &members() const { return members_; }
 
-    /// Makes room for so many more objects. On an exception nothing has changed.
+    /// Makes room for `more` objects. On an exception nothing has changed.
     void make_room(std::size_t more)
     {
         if (free_.size() >= more)
@@ -109,7 +104,7 @@ public:
         std::generate_n(added, room - before, [next = room]() mutable { return static_cast<ProxyId>(--next); });
     }
 
-    /// A new object, without an envelope. Throws nothing after make_room().
+    /// Adds an object without an envelope. Throws nothing after make_room().
     ProxyId add()
     {
         make_room(1);
@@ -139,7 +134,7 @@ public:
         return needed;
     }
 
-    /// Gives back the memory of numbers that are not needed. Throws nothing.
+    /// Gives back the memory of numbers from needed_size() on. Throws nothing.
     void trim()
     {
         const std::size_t needed = needed_size();
@@ -158,13 +153,13 @@ private:
     {
         resize_array(places, size);
         members_.resize(size);
-        resize_array(records, size); // last: it tells the size
+        resize_array(records, size); // last, because size() reads it
     }
 
     IdSet members_;
-    std::size_t count_ = 0;     // of members_
-    std::size_t hands_ = 0;     // of these, Role::fixed_interactive
-    std::vector<ProxyId> free_; // numbers, the next one last; has room for all
+    std::size_t count_ = 0;     // number of members_
+    std::size_t hands_ = 0;     // members with Role::fixed_interactive
+    std::vector<ProxyId> free_; // the next number last; has room for all
 };
 } // namespace ode_predictive_space
 

@@ -1,4 +1,4 @@
-// What the broad phase asks about the objects: they are known to it by number alone.
+// The broad phase's interface to the objects, which it knows only by number.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_SCENE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_SCENE_H
@@ -15,62 +15,55 @@ namespace ode_predictive_space
 /// The centre of an object as notices compute it, from the pose of a body and an offset.
 struct Carried
 {
-    float centre[3]; ///< from the origin
-    float radius;    ///< around any centre that is computed so, with an offset of no larger coordinates
-    float offset;    ///< its largest coordinate
+    float centre[3]; ///< relative to the origin
+    float radius;    ///< holds the object around a centre that is computed from an offset of no larger coordinates
+    float offset;    ///< largest coordinate of the offset
 };
 
-/// An object as it is now, for its next prediction. Lengths in the scene's unit.
+/// The state of an object for its next prediction. Lengths are in the scene's unit.
 struct Observation
 {
-    std::optional<Vector3> centre; ///< the point that the object turns around; finite. None when that is not known
-    double radius = 0;             ///< of a sphere around the centre that holds the object; infinite when none is known
-    std::optional<Vector3> velocity; ///< in the program's unit, if the object has a body that tells
-    std::optional<Carried> carried;  ///< if notices compute its centre from a body and an offset
-    bool is_costly = false;          ///< the contacts of its shape are costly to find: many points or triangles
+    std::optional<Vector3> centre;   ///< the point about which the object turns; finite, none if unknown
+    double radius = 0;               ///< a sphere of it around the centre holds the object; infinite if unknown
+    std::optional<Vector3> velocity; ///< in the program's unit; none without a dynamic body
+    std::optional<Carried> carried;  ///< if notices compute the centre from a body and an offset
+    bool is_costly = false;          ///< contacts of the shape are costly to find: it has many points or triangles
 };
 
 struct ConvexShape;
 
-/// The objects, by number. A caller asks about many objects at once; the scene knows how to prefetch them.
+/// The objects by number. Most calls ask about many at once, so that the scene can prefetch.
 class Scene
 {
 public:
     virtual ~Scene() = default;
 
-    /// Writes the bounding box of each of the objects into places[id]: by Place::measure(), or another one.
+    /// Writes the bounding box of each object into places[id], by Place::measure() or Place::set_tight().
     virtual void measure(const ProxyId *ids, std::size_t count, Place *places, const Origin &origin) = 0;
 
-    /// Writes what a prediction needs, in the order of `ids`.
     virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) = 0;
 
-    /// Brings the shape of each of the objects up to date, and tells how far the object has moved since: the most
-    /// that any point of its surface has; infinite when the shape is another one now. All in the order of `ids`.
-    ///
-    /// Here: unknown shapes, for scenes that are judged by boxes alone.
+    /// Brings shapes up to date, in the order of `ids`. The default is for scenes without shapes.
+    /// @param moves receives upper bounds of the surfaces' displacements since the last call; infinite for a replaced shape.
     virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves);
 
-    /// Does the hull of an object's shape no longer serve, or is it there now where the shape has awaited it? The data of hulls change
-    /// without notice.
+    /// Whether the shape's hull is out of date, or the awaited hull is no longer being made. Data change without notice.
     virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
 
-    /// Are coordinates so precise that it makes a difference where they are counted from in single precision?
+    /// Whether coordinates are finer than single precision, so that moving the origin helps.
     virtual bool is_in_double_precision() const { return true; }
 
-    /// The object's bounding box in double precision.
     virtual Box bounds(ProxyId id) = 0;
 
-    /// The pose of the object, from which forecasts of its motion are made.
     virtual SampledPose pose(ProxyId id) = 0;
 
-    /// Do the objects' bounding boxes overlap and, by the sphere test of proximity, their bounding spheres, too?
+    /// Whether the bounding boxes overlap and, by the sphere test, the bounding spheres, too.
     virtual bool overlap(ProxyId first, ProxyId second) = 0;
 
-    /// Is the pair not reported even when it touches? The reasons may change without notice.
+    /// Whether a filter keeps the pair from being reported. It may change without notice.
     virtual bool is_excluded(ProxyId first, ProxyId second);
 
-    /// Appends to `disabled` those of the objects that are in no reported pair as long as they are disabled, in the order of
-    /// `ids`. Objects are enabled and disabled without notice.
+    /// Appends the objects that are disabled now, in the order of `ids`. They change without notice.
     virtual void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) = 0;
 };
 } // namespace ode_predictive_space

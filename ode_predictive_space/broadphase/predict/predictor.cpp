@@ -40,7 +40,7 @@ Float4 load_three(const float *three)
     return {three[0], three[1], three[2], 0};
 }
 
-// Squares of these, and of their sums, are finite.
+// Squares of the results, and of sums of them, are finite.
 Float4 bounded(Float4 vector)
 {
     const Float4 most = Float4::all(1e15f);
@@ -58,13 +58,13 @@ Float4 middle_of(const TightBox &box)
     return bounded(Float4::all(0.5f) * finite_or_zero(box.low) + Float4::all(0.5f) * finite_or_zero(box.high));
 }
 
-// How far from the point that its path begins at an object may reach; infinite when it is.
+// Distance from the beginning of the path to the farthest corner of the box.
 double farthest_corner(const Envelope &envelope)
 {
     return envelope.low.cwiseAbs().cwiseMax(envelope.high.cwiseAbs()).norm();
 }
 
-// The largest finite side; 0 when the box is inverted.
+// The largest finite side; 0 for an inverted box.
 float size_of(const TightBox &box)
 {
     const Float4 sides = max(box.high - box.low, Float4::all(0));
@@ -73,26 +73,23 @@ float size_of(const TightBox &box)
     return finite_or_zero(sides).largest_of_three();
 }
 
-// Ticks until the path has gone so far. The root of speed t + 1/2 acceleration t^2 = way.
 float ticks_to_travel(float way, float speed, float acceleration)
 {
     const float pace = speed + std::sqrt(speed * speed + 2 * acceleration * way);
     return pace > 0 ? 2 * way / pace : std::numeric_limits<float>::infinity();
 }
 
-// A number that looks random, from 0 to 1.
 float scrambled(ProxyId id)
 {
     return static_cast<float>((id * 0x9e3779b1u) >> 8) * 0x1p-24f;
 }
 } // namespace
 
-// How the last prediction turned out.
 struct Predictor::Outcome
 {
-    float ticks = 0; // since then
-    float way = 0;   // that the object has come on its predicted path
-    float error = 0; // distance from that path now
+    float ticks = 0; // since the prediction
+    float way = 0;   // length of the predicted displacement
+    float error = 0; // distance from the predicted path
     Float4 displacement = Float4::all(0);
 };
 
@@ -107,8 +104,7 @@ struct Predictor::Motion
     }
 };
 
-// Steps may vary: what counts is how far the object is from its path, not from where it should be at this tick. Only a way backwards is
-// no way along the path.
+// The error is the distance from the path, as steps may vary; an object that moved backwards is compared with its beginning.
 Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Tick now) const
 {
     Outcome outcome;
@@ -129,7 +125,7 @@ Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Ti
 
 namespace
 {
-// Reach is a matter of costs: a longer envelope lasts longer, and has more pairs that are tested at each tick for nothing.
+// Reach balances costs: a longer envelope lasts longer, but has more pairs that are apart and still tested at each tick.
 void adapt_reach(ProxyRecord &record, float ticks)
 {
     const bool too_long = tuning::cost_of_test * record.useless * ticks > tuning::cost_of_prediction;
@@ -149,7 +145,7 @@ Deviation adapted_deviation(float size, float spread, float way, float ticks)
     return {tuning::slack * size, spread * way / ticks, 0};
 }
 
-// An envelope that holds its object however it turns is watched by the centre, until it meets another.
+// An envelope around the bounding sphere is compared with the centre alone until it meets another.
 void watch_centre(Place &place, const ProxyRecord &record, const std::optional<Carried> &carried, Float4 doubt)
 {
     if (carried)
@@ -158,7 +154,7 @@ void watch_centre(Place &place, const ProxyRecord &record, const std::optional<C
         place.watch_centre(record.position, record.radius, doubt);
 }
 
-// The time in which the velocity makes the displacement, nearly; 0 when the two do not point the same way.
+// The time in which the velocity makes the displacement; 0 if that leaves an error of more than a tenth.
 float seconds_of_travel(Float4 displacement, Float4 velocity)
 {
     const float squared_speed = dot(velocity, velocity);
@@ -168,7 +164,7 @@ float seconds_of_travel(Float4 displacement, Float4 velocity)
     return explained ? seconds : 0;
 }
 
-// Not all objects are to leave their first envelopes together.
+// Reaches vary, so that not all objects leave their first envelopes in the same tick.
 void begin(ProxyRecord &record, ProxyId id)
 {
     record.reach = tuning::first_reach * (0.75f + 0.5f * scrambled(id));
@@ -191,11 +187,11 @@ Predictor::Motion Predictor::motion_of_body(const ProxyRecord &record, const Out
         const auto step = static_cast<float>(step_estimate_.step());
         if (travelled > 4 * step * outcome.ticks * std::max(norm(last), norm(velocity)))
         {
-            // The program moves the body by itself.
+            // The program sets the body's position itself.
             motion.velocity = Float4::all(1 / outcome.ticks) * outcome.displacement;
             return motion;
         }
-        // A bounce would look like an enormous acceleration: only what agrees with the path counts.
+        // A bounce would count as an enormous acceleration, so only a change that agrees with the displacement is used.
         if (explained)
             motion.acceleration = Float4::all(step * step / seconds) * (velocity - last);
     }
@@ -233,7 +229,7 @@ Deviation Predictor::deviation_of(const ProxyRecord &record, const Deviation &ad
     return settings.deviation[is_interactive(record.role) ? 1 : 0].value_or(adapted);
 }
 
-// The box that contains the object, to the end of the horizon: the path's, with its turning points, and the deviation.
+// The box that the object sweeps within `ticks`: that of the path with its turning points, enlarged by the deviation.
 TightBox Predictor::swept(const TightBox &box, const Motion &motion, float ticks, float deviation)
 {
     const Float4 zero = Float4::all(0), end = motion.displacement(ticks);
@@ -262,7 +258,7 @@ void Predictor::Reviewed::add(const TightBox &envelope)
     ++count;
 }
 
-// The origin is to be moved when that makes coordinates much smaller, and rounding then shows less.
+// Moving the origin pays if it makes coordinates much smaller, and if rounding is large relative to the objects.
 std::optional<Vector3> Predictor::Reviewed::far_middle() const
 {
     if (count == 0)
@@ -325,7 +321,7 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
         adapt_spread(record, outcome.way, outcome.error);
     }
     const float way = record.reach * record.size, speed = norm(motion.velocity), bend = norm(motion.acceleration);
-    // A path that is longer than any reach after a tick is no use.
+    // A path that exceeds any reach within a tick is useless.
     if (!(speed + bend < tuning::most_reach * record.size))
         motion = Motion();
     const float ticks = ticks_for(way, speed, bend);
@@ -333,7 +329,6 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, way, ticks);
     const Deviation deviation = deviation_of(record, never_moved ? Deviation() : adapted);
     record.radius = round_up(seen.radius);
-    // An envelope that holds its object however it turns is watched by the centre, until it meets another.
     const bool by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
     const TightBox box = by_radius ? TightBox::around(centre, Float4::all(record.radius), origin.doubt()) : tight;
     const TightBox envelope = swept(box, motion, ticks, static_cast<float>(deviation.at(double{ticks})));
@@ -341,7 +336,7 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     note_farthest(envelope);
     note_farthest(tight);
     centre.store_three(record.position);
-    // An object with an infinite envelope is measured again after each move: it may have become finite.
+    // An infinite envelope is measured again after each move, because it may have become finite.
     if (!place.has_end())
         place.stop_watching();
     else if (by_radius)
@@ -356,8 +351,8 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     record.leapt = false;
 }
 
-// An object whose centre is outside of its envelope has leapt. It probably goes on as before, so its envelope leaps with it: when the
-// scene is set back, or gets another origin, nearly nothing needs a new prediction.
+// An object whose centre is outside its envelope has leapt. It probably moves on as before, so its envelope leaps with it. When
+// a scene is set back or gets another origin, hardly any object needs a new prediction.
 bool Predictor::leaps(ProxyStore &proxies, ProxyId id, Tick now)
 {
     ProxyRecord &record = proxies.records[id];
@@ -411,7 +406,6 @@ void Predictor::note_tests(ProxyStore &proxies, const CandidatePair &pair)
     }
 }
 
-// Turning moves no point farther than the farthest one along its path.
 Envelope Forecast::turning_on() const
 {
     Envelope on = envelope;
@@ -445,7 +439,7 @@ Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id
     envelope.low = bounds.min() - pivot;
     envelope.high = bounds.max() - pivot;
     forecast.about_centre =
-        seen.centre == pivot && std::isfinite(seen.radius); // with an offset it circles around the pivot
+        seen.centre == pivot && std::isfinite(seen.radius); // with an offset, the centre circles around the pivot
     envelope.radius = forecast.about_centre ? seen.radius : farthest_corner(envelope);
     forecast.ticks = track ? 0 : std::numeric_limits<double>::infinity();
     forecast.turning = 0;
@@ -454,7 +448,7 @@ Forecast Predictor::forecast(Scene &scene, const ProxyStore &proxies, ProxyId id
     return forecast;
 }
 
-// An object that a person moves does not keep to a path as closely as to the mean of its last positions.
+// The motion of a hand is predicted more closely by a fit of its last positions than by the path through the last three.
 void Predictor::follow(const Track &track, const ProxyRecord &record, Forecast &forecast) const
 {
     Envelope &envelope = forecast.envelope;
@@ -469,6 +463,6 @@ void Predictor::follow(const Track &track, const ProxyRecord &record, Forecast &
     envelope.deviation =
         deviation_of(record, adapted_deviation(record.size, record.spread, travel, ticks)) + track.rounding();
     const double turning = track.turning();
-    forecast.turning = turning > 0 ? turning * farthest_corner(envelope) : 0; // what is infinite may have no corner
+    forecast.turning = turning > 0 ? turning * farthest_corner(envelope) : 0; // 0 times infinity would be NaN
 }
 } // namespace ode_predictive_space

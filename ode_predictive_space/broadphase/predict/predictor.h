@@ -1,9 +1,6 @@
-// A new path and envelope for each object of a batch: where will it be, and how closely is that known?
-//
-// In: the batch, its tight boxes, and what the scene shows of its objects. Out: envelopes, and records of what they were made of.
-//
-// The path is of second degree, the deviation from it grows with time (the paper, sections 3 and 4). The envelope is the place
-// that both sweep until the path has gone as far as the object's reach, or to the end of the horizon.
+// Predicts a path and an envelope for each object of a batch. In: tight boxes and observations. Out: envelopes and records.
+// The path is of second degree; the deviation from it grows with time (the paper, sections 3 and 4). The envelope is the box
+// that both sweep until the path has covered the object's reach, or to the end of the horizon.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_PREDICTOR_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_PREDICTOR_H
@@ -22,34 +19,31 @@
 
 namespace ode_predictive_space
 {
-/// Horizons in ticks.
 struct HorizonBounds
 {
     std::uint32_t min_ticks = 1;
     std::uint32_t max_ticks = 2048;
 };
 
-/// What a program may fix. Changed settings hold for later predictions.
 struct PredictionSettings
 {
     HorizonBounds horizon;
 
-    /// Deviations of objects of the environment and of interactive ones; none: they adapt.
+    /// Deviations of environment and of interactive objects; they adapt if none.
     std::array<std::optional<Deviation>, 2> deviation;
 };
 
-/// A prediction that is asked for: an envelope that moves, and the ticks for which it is made.
 struct Forecast
 {
-    Envelope envelope; ///< its time is counted from now on; of an object that does not turn
-    double ticks;      ///< infinite when the object is still, 0 when its motion is not known
-    bool about_centre; ///< the sphere of the envelope's radius around its path holds the object however it turns
-    double turning;    ///< how far turning moves a point of the object in a tick, at most
+    Envelope envelope; ///< from now on, without rotation
+    double ticks;      ///< infinite if the object is still, 0 if its motion is unknown
+    bool about_centre; ///< the sphere of the envelope's radius around its path holds the object in any orientation
+    double turning;    ///< upper bound of the displacement of a point by rotation, per tick
 
     bool known() const { return ticks > 0; }
     bool still() const { return ticks == std::numeric_limits<double>::infinity(); }
 
-    /// Two envelopes that hold the object as it turns: the first is the closer one soon, the second later.
+    /// Two envelopes that hold the object as it turns. The first is tighter at the beginning, the second later.
     Envelope turning_on() const;
     Envelope turned_anyhow() const;
 };
@@ -59,27 +53,24 @@ class Predictor
 public:
     PredictionSettings settings;
 
-    /// Makes a new prediction, from `now` on, for each object of the batch. Their tight boxes are up to date.
+    /// @pre the tight boxes of the batch are up to date.
     void predict(Scene &scene, ProxyStore &proxies, const Origin &origin, const std::vector<ProxyId> &batch, Tick now);
 
-    /// A tick has begun: samples the objects that the program asks about.
+    /// Samples the objects of forecast queries. Called at the beginning of each tick.
     void sample(Scene &scene, const ProxyStore &proxies, Tick now) { samples_.sample(scene, proxies, now); }
 
-    /// Two objects were tested for some ticks, until one of them got a new prediction: learns from that.
+    /// Counts a pair that is being dropped in the records of both objects: as useless if its tight boxes are apart.
     static void note_tests(ProxyStore &proxies, const CandidatePair &pair);
 
-    /// How the object will move, as far as is known now. Its tight box is up to date. From now on its poses are sampled.
+    /// The predicted motion of an object, whose poses are sampled from the first call on.
     Forecast forecast(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now);
 
-    /// No finite side of an object is farther from the origin than this: the largest finite coordinate of an envelope, or of an
-    /// object in it, since the review before the last began.
+    /// Upper bound of all finite coordinates of tight boxes: the largest one since the review before the last began.
     float farthest() const { return max(farthest_, reviewed_.farthest).largest_of_three(); }
 
-    /// A tick has ended: goes through a part of the objects, so that farthest() follows those that come back.
-    ///
-    /// @return when all have been seen and are so far from the origin that rounding shows in their boxes, their middle.
+    /// Reviews a part of the objects, so that farthest() can decrease. Called at the end of each tick.
+    /// @return at the end of a review, the middle of all finite envelopes, if the origin should move there.
     std::optional<Vector3> review(const ProxyStore &proxies);
-    /// All objects are counted from another origin, and predicted again.
     void forget_reviews();
 
     void forget(ProxyId id) { samples_.forget(id); }
@@ -102,21 +93,21 @@ private:
     void follow(const Track &track, const ProxyRecord &record, Forecast &forecast) const;
 
     StepEstimate step_estimate_;
-    // Objects below `end`, and what was predicted meanwhile.
+    // The result for objects below `end`, and for all that were predicted meanwhile.
     struct Reviewed
     {
         std::size_t end = 0;
         Float4 farthest = Float4::all(0);                                              // by coordinate
-        Float4 low = Float4::all(std::numeric_limits<float>::infinity()), high = -low; // of finite envelopes
-        float sizes = 0, count = 0;                                                    // of the same: sums of sides
+        Float4 low = Float4::all(std::numeric_limits<float>::infinity()), high = -low; // around all finite envelopes
+        float sizes = 0, count = 0; // sum of all sides, and number, of finite envelopes
 
         void add(const TightBox &envelope);
 
         std::optional<Vector3> far_middle() const;
     };
-    Float4 farthest_ = Float4::all(0); // when the last review ended
+    Float4 farthest_ = Float4::all(0); // result of the last review
     Reviewed reviewed_;
-    bool is_reviewed_ = false; // the first review is made in one tick
+    bool is_reviewed_ = false; // the first review takes one tick
     Samples samples_;
     std::array<ProxyId, tuning::objects_per_call> ids_; // scratch
     std::vector<Observation> seen_;                     // scratch

@@ -10,7 +10,7 @@ const Track *Samples::ask(Scene &scene, const ProxyStore &proxies, ProxyId id, c
     const bool moved = renew(scene, proxies, *sampled, now.tick);
     if (moved || !sampled->unmoved)
         sampled->unmoved = now.collisions;
-    // While nothing at all moves, no time passes, and no pose is sampled.
+    // While nothing moves, no time passes and no pose is sampled, so collisions are counted.
     const bool has_stayed = now.collisions - *sampled->unmoved >= tuning::still_collisions;
     if (!has_stayed && !sampled->track.rests())
         return &sampled->track;
@@ -32,7 +32,6 @@ void Samples::sample(Scene &scene, const ProxyStore &proxies, Tick now)
     }
 }
 
-// None when the object rests. Without memory nothing has changed.
 Samples::Sampled *Samples::follow(const ProxyStore &proxies, ProxyId id)
 {
     if (id >= states_.size())
@@ -51,7 +50,7 @@ Samples::Sampled *Samples::follow(const ProxyStore &proxies, ProxyId id)
     return &sampled_[state.index];
 }
 
-// Has it moved since its last pose, or is this the first?
+// @return whether the object has moved since its last pose, or this is the first pose.
 bool Samples::renew(Scene &scene, const ProxyStore &proxies, Sampled &sampled, Tick tick)
 {
     const UpdateNumber moved = proxies.places[sampled.id].moved();

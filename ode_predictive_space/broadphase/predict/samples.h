@@ -1,4 +1,4 @@
-// The last poses of the objects that a program has asked about: how they move is known from these alone.
+// The last poses of the objects in forecast queries, from which their motion is derived.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_SAMPLES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_SAMPLES_H
@@ -14,22 +14,19 @@
 
 namespace ode_predictive_space
 {
-/// When a question is asked.
 struct QueryTime
 {
-    Tick tick; ///< at which the objects are where they are now: the next one when something has moved since the last
-    std::uint64_t collisions; ///< calls that were ticks if something had moved
+    Tick tick;                ///< tick of the present poses: the next one if something has moved since the last
+    std::uint64_t collisions; ///< number of collisions of the space, with and without moves
 };
 
-/// Poses by object. An object is followed from the first question about it until it rests; then nothing of it is kept but the
-/// number of its last move.
+/// Poses by object. An object is sampled from its first query until it rests; then only its last move is remembered.
 class Samples
 {
 public:
-    /// An object is asked about: its track up to now; none when it rests.
+    /// The track of an object, which is sampled from now on; null if the object rests.
     const Track *ask(Scene &scene, const ProxyStore &proxies, ProxyId id, const QueryTime &now);
 
-    /// A tick: samples the objects that are sampled.
     void sample(Scene &scene, const ProxyStore &proxies, Tick now);
 
     void forget(ProxyId id);
@@ -39,14 +36,14 @@ private:
     struct Sampled
     {
         ProxyId id;
-        UpdateNumber moved;                   // the last move that was sampled
-        std::optional<std::uint64_t> unmoved; // since so many calls; none when it has moved since the last question
+        UpdateNumber moved;                   // Place::moved() at the newest pose
+        std::optional<std::uint64_t> unmoved; // QueryTime::collisions at the first query since the last move
         Track track;
     };
     struct State
     {
-        std::uint32_t index = unasked; // in sampled_, or one of the two
-        UpdateNumber moved = 0;        // of an object that rests
+        std::uint32_t index = unasked; // in sampled_, or `unasked` or `resting`
+        UpdateNumber moved = 0;        // Place::moved() of a resting object
     };
     static constexpr std::uint32_t unasked = ~std::uint32_t{0}, resting = unasked - 1;
 

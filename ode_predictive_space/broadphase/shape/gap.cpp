@@ -8,16 +8,16 @@ namespace ode_predictive_space
 {
 namespace
 {
-constexpr int steps = 9;               // of the search for the closest points
-constexpr double precise_enough = 0.9; // of the distance: a larger gap is not worth a step
-constexpr double worth_a_search = 0.5; // of what there can be: a smaller gap is worth a search
+constexpr int steps = 9;               // maximum number of steps of the search
+constexpr double precise_enough = 0.9; // part of the distance at which the search ends
+constexpr double worth_a_search = 0.5; // part of the largest possible gap below which a search follows
 
 float work_of_axis(const ConvexShape &first, const ConvexShape &second)
 {
     return first.work_of_reach() + second.work_of_reach();
 }
 
-// A point of the difference of two cores: where the second is, seen from the first.
+// The point of the Minkowski difference of both cores, second minus first, that is farthest against the direction.
 Vector3 nearest_along(const Vector3 &direction, const ConvexShape &first, const ConvexShape &second)
 {
     return (second.centre + second.farthest_of_core(-direction)) - (first.centre + first.farthest_of_core(direction));
@@ -32,17 +32,14 @@ Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
     return {length - rounding(half_space) - rounding(other), out, other.work_of_reach()};
 }
 
-// No gap of these two can be larger.
 double most_gap(const ConvexShape &first, const ConvexShape &second)
 {
     const auto within = [](const ConvexShape &shape) { return 0.5 * shape.size; };
     return (second.centre - first.centre).norm() - within(first) - within(second);
 }
 
-// Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the difference that is closest to its origin: the direction to
-// each point on the way is an axis.
-//
-// @param towards where to begin.
+// Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the Minkowski difference that is closest to the origin.
+// The direction of each intermediate point is an axis to test.
 void approach_closest(const ConvexShape &first, const ConvexShape &second, Vector3 towards, double least, Gap &largest)
 {
     const double around = first.core_distance() + second.core_distance();

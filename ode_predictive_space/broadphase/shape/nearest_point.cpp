@@ -9,7 +9,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Solves for the weights, but the first, of the point of a line, plane or space that is nearest to the origin.
+// Finds the weights of the point of a line, plane or space that is nearest to the origin.
 template <int Dimensions, typename Points, typename Weights> bool solve(const Points &points, Weights &weights)
 {
     Eigen::Matrix<double, 3, Dimensions> sides;
@@ -30,7 +30,7 @@ template <int Dimensions, typename Points, typename Weights> bool solve(const Po
 bool NearestPoint::add(const Vector3 &corner)
 {
     if (count_ == most)
-        return false; // the origin is within
+        return false; // the origin is inside
     const double before = point_.squaredNorm();
     points_[static_cast<std::size_t>(count_)] = corner;
     weights_[static_cast<std::size_t>(count_++)] = 0;
@@ -48,7 +48,7 @@ bool NearestPoint::add(const Vector3 &corner)
     return point_.squaredNorm() < before;
 }
 
-// The weights of the point of the line, plane or space through all points that is nearest to the origin; some may be negative.
+// Some weights may be negative: the point is in the line, plane or space through all points, but maybe outside their hull.
 bool NearestPoint::find_affine(Weights &weights) const
 {
     return count_ == 2   ? solve<1>(points_, weights)
@@ -56,7 +56,7 @@ bool NearestPoint::find_affine(Weights &weights) const
                          : solve<3>(points_, weights);
 }
 
-// As far as no weight becomes negative.
+// Moves until a weight would become negative.
 void NearestPoint::move_towards(const Weights &weights)
 {
     double part = 1;

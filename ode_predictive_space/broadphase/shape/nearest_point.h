@@ -9,9 +9,8 @@
 
 namespace ode_predictive_space
 {
-/// Finds the point of a convex shape that is nearest to the origin, if the farthest points of the shape against each point() on the
-/// way are added to it. (P. Wolfe: Finding the nearest point in a polytope, 1976. Points that do not help any more are dropped, so
-/// that there are never more than four.)
+/// Converges to a convex shape's nearest point to the origin, if each added corner is the farthest one against the direction of
+/// point(). Unused corners are dropped, so that at most four remain. (P. Wolfe: Finding the nearest point in a polytope, 1976)
 class NearestPoint
 {
 public:
@@ -19,7 +18,7 @@ public:
 
     const Vector3 &point() const { return point_; }
 
-    /// @return false when this brings the point no nearer: up to rounding, it is the nearest one.
+    /// @return false if the point comes no nearer: up to rounding, it is the nearest one.
     bool add(const Vector3 &corner);
 
 private:

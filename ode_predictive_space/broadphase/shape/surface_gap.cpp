@@ -9,7 +9,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A shape as the mesh sees it.
 class SeenFromMesh
 {
 public:
@@ -20,7 +19,7 @@ public:
     const Vector3 &centre() const { return centre_; }
     double radius() const { return radius_; }
 
-    // Between a triangle and the centre: no triangle is nearer than this.
+    // Lower bound of the distance between a triangle and the centre.
     double distance_to(const TriangleCorners &corners) const
     {
         const Vector3 way = way_from(corners);
@@ -28,10 +27,10 @@ public:
         return length > 0 ? (way.dot(centre_) - farthest(way, corners)) / length : 0;
     }
 
-    // The work of gap_to(), for all axes.
+    // Work of gap_to() for its five axes.
     float work_of_gap() const { return 5 * shape_.work_of_reach(); }
 
-    // The largest gap to a triangle that a few axes find: the way to its nearest point, its normal, and the axes of a box.
+    // The largest gap to a triangle along a few axes: from its nearest point to the centre, its normal, and the axes of a box.
     double gap_to(const TriangleCorners &corners) const
     {
         const Vector3 way = way_from(corners);
@@ -44,7 +43,7 @@ public:
     }
 
 private:
-    // In the mesh's frame. The second step makes good what its matrix is off from a rotation.
+    // The second step corrects for a matrix that is not exactly a rotation.
     static Vector3 place_in(const ConvexShape &mesh, const Vector3 &point)
     {
         const Vector3 way = point - mesh.centre;
@@ -67,7 +66,6 @@ private:
         return std::max({direction.dot(corners[0]), direction.dot(corners[1]), direction.dot(corners[2])});
     }
 
-    // From the triangle, along a direction of any length.
     double gap_along(const Vector3 &direction, const TriangleCorners &corners) const
     {
         const double length = direction.norm();
@@ -82,7 +80,8 @@ private:
     double radius_;
 };
 
-// Between the surface and the centre of the shape, but no more than `most`: what is nearly as near is not looked for.
+// Lower bound of the distance between the surface and the shape's centre, at most `most`. The search ignores triangles that are
+// only a little nearer than the nearest one found.
 double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, float &work)
 {
     double distance = tuning::near_enough * most;
@@ -94,7 +93,7 @@ double distance_of(const TriangleTree &tree, const SeenFromMesh &shape, double m
     return distance;
 }
 
-// Between the surface and the shape, but no more than `most`.
+// The gap between the surface and the shape, at most `most`.
 double gap_of(const TriangleTree &tree, const SeenFromMesh &shape, double most, double least, float &work)
 {
     double gap = most, reach = gap + shape.radius();

@@ -13,9 +13,8 @@ namespace
 {
 using Box = Eigen::AlignedBox3d;
 
-constexpr double most_periods = 4; // of a terrain that repeats: more are not searched
+constexpr double most_periods = 4; // maximum search extent in a repeating terrain
 
-// A shape as the terrain sees it: in the frame of its grid.
 class SeenFromTerrain
 {
 public:
@@ -29,10 +28,10 @@ public:
 
     Box box() const { return Box(centre_ - half_box_, centre_ + half_box_); }
 
-    // Between the shape and what is solid below a cell. ODE finds contacts of spheres, boxes and capsules where they are below the
-    // plane of a triangle and in its column, or where their boxes are below all corners of all cells beside them; of all other shapes,
-    // where their boxes are below the highest corner of a cell. At the edge of the terrain the plane of a flat part goes on, and beside
-    // a steep corner a box that is below all ground may be outside of all planes.
+    // The gap between the shape and the solid column below a cell. ODE finds contacts of spheres, boxes and capsules that are
+    // in the column of a triangle and below its plane, or whose box is below all corners of all cells beside it. ODE finds
+    // contacts of other shapes if their box is below the highest corner of a cell. At the edge of the terrain, the plane of a
+    // flat part extends beyond it; beside a steep corner, a box below all ground may be outside all planes.
     double gap_to(const HeightGrid::Cell &cell) const
     {
         if (shape_.kind != ShapeKind::rounded)
@@ -48,8 +47,8 @@ public:
     }
 
 private:
-    // Half the side of the bounding box that ODE gives the shape when it is turned into this frame. That of a cylinder changes when it
-    // turns about its axis, which is no travel: so the largest there can be.
+    // Half the side of the bounding box that ODE gives the shape in this frame. A cylinder's box changes when it turns about
+    // its axis, which is no travel, so the largest possible side is used.
     double half_box_along(const Vector3 &axis) const
     {
         if (shape_.kind == ShapeKind::cylinder)
@@ -57,7 +56,7 @@ private:
         return shape_.radius + shape_.half_sides.dot(shape_.along_axes(axis).cwiseAbs());
     }
 
-    // Above the plane through a point that rises by so much along x and z in a cell.
+    // The gap above the plane through a point that rises by along_x and along_z per cell.
     double gap_to_plane(const Vector3 &point, double along_x, double along_z) const
     {
         const Vector3 up = Vector3(-along_x / grid_.size().cell_x, 1, -along_z / grid_.size().cell_z).normalized();
@@ -75,7 +74,7 @@ bool repeats_too_often(const HeightGrid &grid, const Box &box, double most)
     return sides.x() > most_periods * grid.width() || sides.z() > most_periods * grid.depth();
 }
 
-// ODE numbers the cells of a terrain that repeats by an int, from its first copy on, and reads other samples when the int overflows.
+// ODE numbers the cells of a repeating terrain by an int, from its first copy on; if that overflows, it reads wrong samples.
 bool overflows_cell_numbers(const HeightGrid &grid, const Box &box)
 {
     constexpr double most_cells = 1 << 30;
@@ -83,7 +82,7 @@ bool overflows_cell_numbers(const HeightGrid &grid, const Box &box)
     return !(farthest.x() < most_cells * grid.size().cell_x && farthest.z() < most_cells * grid.size().cell_z);
 }
 
-// Heights are rounded to single precision, by us and maybe by ODE.
+// Heights are rounded to single precision here, and maybe in ODE.
 double rounding_of_heights(const HeightGrid &grid)
 {
     constexpr double roundings = 16;

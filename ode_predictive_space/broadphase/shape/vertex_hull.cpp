@@ -41,7 +41,6 @@ VertexHull::VertexHull(std::vector<Vector3> points)
     build(points.data(), points.data() + points.size(), root());
 }
 
-// Sorts the points into blocks; all but the last one are full.
 void VertexHull::build(Vector3 *begin, Vector3 *end, const Range &range)
 {
     const Eigen::AlignedBox3d box = box_of(begin, end);

@@ -1,4 +1,4 @@
-// The convex hull of many points. In: a direction. Out: the farthest of the points.
+// The convex hull of many points. In: a direction. Out: the farthest point.
 
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_VERTEX_HULL_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_VERTEX_HULL_H
@@ -16,42 +16,35 @@
 
 namespace ode_predictive_space
 {
-/// How far a convex hull reaches in a direction is how far its points reach. So no faces of the hull are needed, and no point has
-/// to be left out: points that lie near each other are put into a block, blocks into a tree of boxes, and of the blocks only those
-/// are looked at whose boxes reach far enough.
-///
-/// All coordinates are relative to centre().
+/// The reach of a hull is that of its points, so its faces are not needed. Neighbouring points form blocks, blocks form a tree
+/// of boxes, and a search visits only blocks whose boxes reach far enough. Coordinates are relative to centre().
 class VertexHull
 {
 public:
     /// @param points finite; at least one. Equal points are kept once.
     explicit VertexHull(std::vector<Vector3> points);
 
-    /// The middle of the bounding box of the points, in their coordinates.
+    /// The middle and the half sides of the points' bounding box, in the coordinates of the constructor.
     const Vector3 &centre() const { return centre_; }
-    /// Of that box.
     const Vector3 &half_sides() const { return half_sides_; }
 
     /// The largest scalar product of a direction, of any length, with a point.
     double reach(const Vector3 &direction) const { return find(direction).reach; }
-    /// About the number of blocks that are visited. It grows as the root of all (measured with spheres and tori).
+    /// Approximate number of visited blocks. It grows as the square root of all (measured with spheres and tori).
     float work_of_reach() const { return std::sqrt(static_cast<float>(blocks_.size())); }
-    /// The number of points and of triangles, or about.
     std::size_t elements() const { return block_size * blocks_.size() + (surface ? surface->count() : 0); }
-    /// That point.
     Vector3 farthest(const Vector3 &direction) const;
 
-    /// The triangles of a mesh or the heights of a heightfield, in the coordinates of the points that were given; ready. Null for other
-    /// hulls.
+    /// The built surface of a mesh or heightfield, in the coordinates of the constructor; null for other hulls.
     std::shared_ptr<Surface> surface;
 
-    std::uint32_t number = 0; ///< of the hull, among all that were made for a scene; from 1 on
+    std::uint32_t number = 0; ///< unique among the hulls of a scene, from 1 on
 
     std::size_t bytes() const;
 
 private:
     static constexpr int block_size = 8;
-    using Block = Eigen::Array<double, block_size, 3>; // a point in each row; the last one again in rows that are left
+    using Block = Eigen::Array<double, block_size, 3>; // a point per row; spare rows repeat the last point
     struct Bounds
     {
         Vector3 centre, half_sides;
@@ -66,7 +59,7 @@ private:
         std::size_t block;
     };
 
-    // A tree over the blocks from `begin` to `end`: its root is in place `node` of bounds_, the left half follows, then the right.
+    // A tree over blocks `begin` to `end`. Its root is in place `node` of bounds_; the left half follows, then the right.
     struct Range
     {
         std::size_t node, begin, end;
@@ -83,7 +76,7 @@ private:
 
     Vector3 centre_ = Vector3::Zero(), half_sides_ = Vector3::Zero();
     std::vector<Block> blocks_;
-    std::vector<Bounds> bounds_; // of the ranges of blocks
+    std::vector<Bounds> bounds_; // indexed by Range::node
 };
 } // namespace ode_predictive_space
 
