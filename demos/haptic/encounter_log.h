@@ -14,7 +14,7 @@ struct LoggedContact
 {
     std::uintptr_t object = 0; ///< as in Touch
     double time = 0;           ///< s; of the first tick in which it was touched
-    bool predicted = false;     ///< the space listed it in an earlier tick
+    bool predicted = false;    ///< the space listed it in an earlier tick
     double warning = 0;        ///< s; time for which it had been listed without a gap
     double forecast = 0;       ///< s; last predicted time of proximity before it was near
 };
@@ -22,13 +22,13 @@ struct LoggedContact
 /// Statistics of the contacts so far.
 struct EncounterSummary
 {
-    std::size_t contacts = 0; ///< first touches of an object
+    std::size_t contacts = 0;  ///< first touches of an object
     std::size_t predicted = 0; ///< those that were listed before they were touched
-    std::size_t missed = 0;   ///< touched but not listed as near: a bug in the space
-    std::size_t late = 0;     ///< predicted for later: the hand left its path, and the space noticed in time
-    double mean_warning = 0;  ///< s; of the predicted contacts
-    double mean_early = 0;    ///< s; contact minus forecast, of the predicted contacts that were not late
-    double max_early = 0;     ///< s
+    std::size_t missed = 0;    ///< touched but not listed as near: a bug in the space
+    std::size_t late = 0;      ///< predicted for later: the hand left its path, and the space noticed in time
+    double mean_warning = 0;   ///< s; of the predicted contacts
+    double mean_early = 0;     ///< s; contact minus forecast, of the predicted contacts that were not late
+    double max_early = 0;      ///< s
 
     std::string text() const;
 };

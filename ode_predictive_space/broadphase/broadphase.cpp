@@ -26,7 +26,7 @@ void Broadphase::update(Scene &scene, bool is_tick)
     idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
     clock_.unticked += clock_.moves;
     clock_.queries = is_tick ? 0 : clock_.queries + (clock_.moves > 0);
-    const bool only_queries = clock_.queries > tuning::queries_to_ticks && clock_.moves > 0;
+    const bool only_queries = clock_.queries > tuning::calls_of_a_habit && clock_.moves > 0;
     const bool time_passes = clock_.unticked > 0 && (is_tick || only_queries);
     if (!listing_.listed.has_work() && clock_.moves == 0 && !time_passes && !near_.has_retired() &&
         !pairing_.waiting.has_work())

@@ -33,8 +33,8 @@ constexpr float first_reach = 0.5f, most_reach = 4;
 /// Factor by which the reach grows, or shrinks when its tests cost more than a prediction.
 constexpr float reach_step = 1.25f;
 
-/// Instructions of the test of a pair that is apart, and of a prediction. (game 1,000)
-constexpr float cost_of_test = 20, cost_of_prediction = 2800;
+/// Tests of pairs that are apart that cost as much as a prediction. (game 1,000)
+constexpr float tests_per_prediction = 140;
 
 /// Maximum number of objects for which comparing all boxes costs less than predictions or an index. (many 17, nested 22)
 constexpr std::size_t few_objects = 16;
@@ -43,21 +43,16 @@ constexpr std::size_t few_objects = 16;
 /// minimum reach, and the minimum travel before the spread adapts. (heap 500)
 constexpr float slack = 0.01f;
 
-/// Spread: deviation per distance travelled. Envelopes use the maximum, as narrow ones break; forecasts adapt it. (heap 500)
-constexpr float first_spread = 0.02f, least_spread = 0.002f, most_spread = 0.1f;
+/// Maximum spread: deviation per distance travelled. Envelopes use it, as narrow ones break; forecasts adapt theirs. (heap 500)
+constexpr float most_spread = 0.1f;
 
-/// Ticks in which a review has read the envelopes of all objects. (far: twice as many are a hundred at most)
-constexpr std::size_t ticks_per_review = 48;
+/// Distance from the origin to the middle of all envelopes beyond which the origin moves, in mean sums of an envelope's sides:
+/// rounding is then some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
+constexpr float far_in_sizes = 1e4f;
 
-/// Distances from the origin to the middle of all envelopes beyond which the origin moves: in half extents of the scene, and in
-/// mean sums of an envelope's sides, where rounding is some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
-constexpr float far_in_extents = 4, far_in_sizes = 1e4f;
-
-/// Queries after moves, without a tick, after which each further one counts as a tick, as programs may only query. (ask)
-constexpr std::uint32_t queries_to_ticks = 16;
-
-/// Collisions of the space without a move after which an object counts as still. Some programs collide more than once per step.
-constexpr std::uint64_t still_collisions = 8;
+/// Calls in a row that show a habit of the program. After so many queries after moves, without a tick, each further one counts as
+/// a tick. After so many collisions without a move, an object counts as still: some programs collide more than once per step. (ask)
+constexpr std::uint32_t calls_of_a_habit = 16;
 
 /// Minimum reach of a forecast, in object sizes.
 constexpr float forecast_reach = 9;
@@ -90,27 +85,23 @@ constexpr float weight_of_size = 0.001f;
 /// Maximum number of boxes of which each is compared with each. (teleport 30; conveyor: 16 cost 5 %)
 constexpr std::size_t few_boxes = 40;
 
-/// Sample size for the distribution of boxes. (teleport 1,000)
-constexpr std::size_t spread_samples = 24;
-
 /// Standard deviations from the mean of an axis to the ends of its grid.
 constexpr double deviations_per_half = 4;
 
-/// Minimum width of a slab in mean box widths, and minimum number of boxes in it. (teleport 3,000 to 40,000)
-constexpr double least_widths_per_slab = 4, least_boxes_per_slab = 1000;
+/// Minimum number of boxes in a slab. (teleport 3,000 to 40,000)
+constexpr double least_boxes_per_slab = 1000;
 
 // --- Near ---
 
-/// Reports between searches for pairs that may rest; maximum between gap checks of a pair. (gas 100,000, stack 1,000)
-constexpr unsigned reports_per_rest = 32;
+/// Ticks in which rare work is done once: resting pairs are found, a pair that had no gap is checked again, and a review reads the
+/// envelopes of all objects. (gas 100,000, stack 1,000; far)
+constexpr unsigned ticks_of_a_round = 32;
 
-/// Instructions that an omitted report saves: the least of dCollide() for a pair with costly contacts, less those that bring
-/// shapes up to date. (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
-constexpr float cost_of_contacts = 1700;
-/// Instructions of a gap check without its search, and of the search per unit of Gap::work.
-constexpr float cost_of_check = 1200, cost_of_reach = 150;
-/// Part of cost_of_contacts that a report without a check pays in for checks, and number of reports whose whole cost is a
-/// pair's allowance. After some 500 reports both sums are equal. (drum, meshes in meshes)
+/// Costs of a gap check without its search, and of the search per unit of Gap::work. The unit is what an omitted report saves at
+/// least: some 1,700 instructions of dCollide(). (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)
+constexpr float cost_of_check = 0.7f, cost_of_reach = 0.09f;
+/// Income of an account per report without a check, and its allowance for each pair, in the same unit. After some 500 reports both
+/// sums are equal. (drum, meshes in meshes)
 constexpr float part_for_checks = 1.0f / 64, allowed_reports = 8;
 
 /// Search distance for the surface of a mesh or heightfield, in radii of the shape. (room 1,000)

@@ -52,10 +52,10 @@ protected:
         }
     }
 
-    static float contacts(int reports) { return static_cast<float>(reports) * pairs * tuning::cost_of_contacts; }
+    static float contacts(int reports) { return static_cast<float>(reports) * pairs; }
 
     static constexpr int pairs = 10;
-    static constexpr float allowance = pairs * tuning::allowed_reports * tuning::cost_of_contacts;
+    static constexpr float allowance = pairs * tuning::allowed_reports;
     GapBudget budget;
 };
 

@@ -30,7 +30,7 @@ struct Moments
 
     template <typename Value> Moments(const std::vector<SweptProxy> &items, Value value)
     {
-        const std::size_t count = std::min(items.size(), tuning::spread_samples);
+        const std::size_t count = std::min(items.size(), tuning::few_boxes);
         double sum = 0, squares = 0;
         for (std::size_t i = 0; i < count; ++i)
         {
@@ -105,9 +105,8 @@ int SortAndSweep::Layout::bits_of_slabs(const Items &items) const
     const double width = Moments(items, [axis](const FloatBox &box) { return box.high[axis] - box.low[axis]; }).mean;
     // Evenly distributed boxes occupy this part of the places.
     const double part = std::sqrt(3) / tuning::deviations_per_half;
-    const double least =
-        std::max(tuning::least_widths_per_slab * width * across.places_per_unit,
-                 tuning::least_boxes_per_slab * part * places_beside / static_cast<double>(items.size()));
+    const double least = std::max(width * across.places_per_unit, tuning::least_boxes_per_slab * part * places_beside /
+                                                                      static_cast<double>(items.size()));
     int bits = fewest_bits;
     while (bits < bits_beside && (1 << bits) < least)
         ++bits;

@@ -14,9 +14,9 @@
 
 namespace ode_predictive_space
 {
-/// Each object with costly contacts has an account, in instructions. Gap checks draw from it, and reports pay in: the cost of
-/// their contacts if a check has saved them, otherwise a small part of that. While the account is overdrawn, the object's pairs
-/// are tested by box. Costs are computed, not measured, so that callbacks are the same in every run.
+/// Each object with costly contacts has an account, in contacts. Gap checks draw from it, and reports pay in: one, the cost of their
+/// contacts, if a check has saved them, otherwise a small part of that. While the account is overdrawn, the object's pairs are
+/// tested by box. Costs are computed, not measured, so that callbacks are the same in every run.
 class GapBudget
 {
 public:
@@ -32,11 +32,10 @@ public:
             account.new_pairs = 0;
         account.report = report_;
         ++account.new_pairs;
-        const float allowance = tuning::allowed_reports * tuning::cost_of_contacts;
-        if (static_cast<float>(account.new_pairs) * allowance > account.most)
+        if (static_cast<float>(account.new_pairs) * tuning::allowed_reports > account.most)
         {
-            account.most += allowance;
-            account.balance += allowance;
+            account.most += tuning::allowed_reports;
+            account.balance += tuning::allowed_reports;
         }
     }
 
@@ -46,10 +45,10 @@ public:
     void note_spared(ProxyId id)
     {
         Account &account = accounts_[id];
-        account.balance = std::min(account.balance + tuning::cost_of_contacts, account.most);
+        account.balance = std::min(account.balance + 1, account.most);
     }
 
-    void note_reported(ProxyId id) { accounts_[id].balance += tuning::part_for_checks * tuning::cost_of_contacts; }
+    void note_reported(ProxyId id) { accounts_[id].balance += tuning::part_for_checks; }
 
     void note_check(ProxyId id, float work)
     {

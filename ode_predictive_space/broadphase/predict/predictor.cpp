@@ -128,7 +128,7 @@ namespace
 // Reach balances costs: a longer envelope lasts longer, but has more pairs that are apart and still tested at each tick.
 void adapt_reach(ProxyRecord &record, float ticks)
 {
-    const bool too_long = tuning::cost_of_test * record.useless * ticks > tuning::cost_of_prediction;
+    const bool too_long = record.useless * ticks > tuning::tests_per_prediction;
     const float reach = too_long ? record.reach / tuning::reach_step : record.reach * tuning::reach_step;
     record.reach = std::clamp(reach, tuning::slack, tuning::most_reach);
 }
@@ -136,8 +136,7 @@ void adapt_reach(ProxyRecord &record, float ticks)
 void adapt_spread(ProxyRecord &record, float way, float error)
 {
     if (way > tuning::slack * record.size)
-        record.spread =
-            std::clamp(std::max(0.5f * record.spread, 2 * error / way), tuning::least_spread, tuning::most_spread);
+        record.spread = std::min(std::max(0.5f * record.spread, 2 * error / way), tuning::most_spread);
 }
 
 Deviation adapted_deviation(float size, float spread, float way, float ticks)
@@ -168,7 +167,7 @@ float seconds_of_travel(Float4 displacement, Float4 velocity)
 void begin(ProxyRecord &record, ProxyId id)
 {
     record.reach = tuning::first_reach * (0.75f + 0.5f * scrambled(id));
-    record.spread = tuning::first_spread;
+    record.spread = tuning::most_spread;
     record.predicted = true;
 }
 } // namespace
@@ -265,15 +264,14 @@ std::optional<Vector3> Predictor::Reviewed::far_middle() const
         return std::nullopt;
     const Float4 middle = Float4::all(0.5f) * (low + high), half = Float4::all(0.5f) * (high - low);
     const float way = abs(middle).largest_of_three();
-    const bool is_far =
-        way > tuning::far_in_extents * half.largest_of_three() && way * count > tuning::far_in_sizes * sizes;
+    const bool is_far = way > half.largest_of_three() && way * count > tuning::far_in_sizes * sizes;
     return is_far && way < 1e15f ? std::optional(to_vector(middle)) : std::nullopt;
 }
 
 std::optional<Vector3> Predictor::review(const ProxyStore &proxies)
 {
     const std::size_t size = proxies.size();
-    const std::size_t some = is_reviewed_ ? size / tuning::ticks_per_review + 1 : size;
+    const std::size_t some = is_reviewed_ ? size / tuning::ticks_of_a_round + 1 : size;
     const std::size_t end = std::min(size, reviewed_.end + some);
     for (; reviewed_.end < end; ++reviewed_.end)
         if (const auto id = static_cast<ProxyId>(reviewed_.end); proxies.members().contains(id))

@@ -11,7 +11,7 @@ const Track *Samples::ask(Scene &scene, const ProxyStore &proxies, ProxyId id, c
     if (moved || !sampled->unmoved)
         sampled->unmoved = now.collisions;
     // While nothing moves, no time passes and no pose is sampled, so collisions are counted.
-    const bool has_stayed = now.collisions - *sampled->unmoved >= tuning::still_collisions;
+    const bool has_stayed = now.collisions - *sampled->unmoved >= tuning::calls_of_a_habit;
     if (!has_stayed && !sampled->track.rests())
         return &sampled->track;
     if (has_stayed)
