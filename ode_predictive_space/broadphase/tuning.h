@@ -17,7 +17,7 @@ constexpr std::size_t cached_objects = 300;
 constexpr std::size_t cached_filters = 2000;
 
 /// Prefetch distance in loop iterations. (gas 10,000)
-constexpr std::size_t turns_ahead = 8;
+constexpr std::size_t prefetch_distance = 8;
 
 /// Scratch arrays of up to this capacity, and spaces of fewer objects, keep their memory.
 constexpr std::size_t kept_elements = 1024;

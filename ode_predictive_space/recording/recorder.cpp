@@ -133,7 +133,7 @@ template <typename Make> Recorder::Event Recorder::begin_event(Make make)
 Recorder::Event Recorder::begin_collide(dSpaceID space)
 {
     return begin_event([&] {
-        look_at(space, true);
+        inspect(space, true);
         Record(buffer_, RecordKind::collide).add(geoms_.at(space).id);
     });
 }
@@ -141,8 +141,8 @@ Recorder::Event Recorder::begin_collide(dSpaceID space)
 Recorder::Event Recorder::begin_collide2(dGeomID first, dGeomID second)
 {
     return begin_event([&] {
-        look_at(first, false);
-        look_at(second, false);
+        inspect(first, false);
+        inspect(second, false);
         Record(buffer_, RecordKind::collide2).add(geoms_.at(first).id).add(geoms_.at(second).id);
     });
 }
@@ -194,7 +194,7 @@ void Recorder::Event::end(const EventTimes *times)
 }
 
 // For a geom in a space that is not known yet, the walk begins at its outermost space.
-void Recorder::look_at(dGeomID geom, bool is_collide)
+void Recorder::inspect(dGeomID geom, bool is_collide)
 {
     ++walk_;
     walked_.clear();

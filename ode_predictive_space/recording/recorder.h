@@ -95,7 +95,7 @@ private:
     template <typename Make> bool append(Make make);
     template <typename Make> Event begin_event(Make make);
     void cut();
-    void look_at(dGeomID geom, bool is_collide);
+    void inspect(dGeomID geom, bool is_collide);
     bool is_known(dGeomID geom) const;
     void visit(dGeomID geom, bool is_collide);
     void visit_members(dSpaceID space, bool is_collide);

@@ -227,7 +227,7 @@ template <typename Visit, typename... Fetches>
 void GeomScene::for_each(std::size_t count, Visit visit, Fetches... fetches) const
 {
     if (overflows_cache_)
-        for_each_prefetched(count, tuning::turns_ahead, visit, fetches...);
+        for_each_prefetched(count, tuning::prefetch_distance, visit, fetches...);
     else
         for (std::size_t i = 0; i < count; ++i)
             visit(i);

@@ -155,7 +155,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
 inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
 {
     if (followed != Followed::moved)
-        return look_closely(geom, followed);
+        return follow_closely(geom, followed);
     listen_to(geom);
     note_changed_line(geom);
     access_.forget_catching_up();
@@ -168,7 +168,7 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     if (!geom->offset_posr)
     {
         geom->gflags &= ~GEOM_POSR_BAD;
-        return look_closely(geom, Followed::left);
+        return follow_closely(geom, Followed::left);
     }
     const ProxyId id = proxy_of(geom);
     const Place &place = broadphase_.proxies().places[id];
@@ -180,13 +180,13 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
                                        : Followed::left);
     }
     if (!place.watches_solid())
-        return look_closely(geom, Followed::left);
+        return follow_closely(geom, Followed::left);
     geom->recomputePosr();
     note_followed(geom, broadphase_.report_at_once(id, NoticedGeom(geom)));
 }
 
 // Not inlined, as follow_carried().
-[[gnu::noinline]] void dxPredictiveSpace::look_closely(dxGeom *geom, Followed followed)
+[[gnu::noinline]] void dxPredictiveSpace::follow_closely(dxGeom *geom, Followed followed)
 {
     access_.forget_catching_up();
     if (IS_SPACE(geom))
@@ -353,7 +353,7 @@ void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCal
         call_back(geoms_[pairs[i].first], geoms_[pairs[i].second], data, callback);
     };
     if (geoms_.size() > tuning::cached_filters)
-        for_each_prefetched(count, tuning::turns_ahead, visit, [&](std::size_t i) {
+        for_each_prefetched(count, tuning::prefetch_distance, visit, [&](std::size_t i) {
             prefetch_filters(geoms_[pairs[i].first]);
             prefetch_filters(geoms_[pairs[i].second]);
         });

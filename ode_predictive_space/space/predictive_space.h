@@ -149,7 +149,7 @@ private:
     void call_back(dxGeom *one, dxGeom *other, void *data, dNearCallback *callback);
     void follow_carried(dxGeom *geom);
     void note_followed(dxGeom *geom, ode_predictive_space::Followed followed);
-    void look_closely(dxGeom *geom, ode_predictive_space::Followed followed);
+    void follow_closely(dxGeom *geom, ode_predictive_space::Followed followed);
     void note_disabled(dxGeom *geom);
     void prepare();
     void poll_moves();

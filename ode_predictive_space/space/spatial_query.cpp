@@ -65,7 +65,7 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
     const std::size_t on_line = find_near(query, found);
     const GeomScene now = scene();
     for_each_prefetched(
-        found.size(), tuning::turns_ahead,
+        found.size(), tuning::prefetch_distance,
         [&](std::size_t i) { answer(geoms_[found[i]], query, i < on_line, data, callback); },
         [&](std::size_t i) { now.prefetch_geom(found[i]); });
     if (lock.is_only_one)

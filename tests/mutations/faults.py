@@ -144,7 +144,7 @@ def predict_faults():
         "origin_never_moves", "predict", tick, "        next_origin_ = origin_.place() + *middle;\n", "        (void)0;\n",
         (("broadphase", "Origin.*"),))
     yield Fault(
-        "origin_moves_for_large_objects", "predict", predictor, " && way * count > tuning::far_in_sizes * sizes", "",
+        "origin_moves_for_large_objects", "predict", predictor, " && distance * count > tuning::far_in_sizes * sizes", "",
         (("broadphase", "Origin.*"),))
     yield Fault(
         "path_without_its_end", "predict", predictor, "high = max(end, zero);", "high = zero;", predictions)
@@ -608,8 +608,8 @@ def space_faults():
         "libccd_judged_by_spheres", "space", scene, "return found_by_libccd(one, other) || JudgedSphere(one)", "return JudgedSphere(one)",
         contract("ReportBySphere.*"))
     yield Fault(
-        "deaf_after_the_first_move", "space", space, "return look_closely(geom, followed);\n    listen_to(geom);",
-        "return look_closely(geom, followed);", contract("Contract.01_*:Notice.*"))
+        "deaf_after_the_first_move", "space", space, "return follow_closely(geom, followed);\n    listen_to(geom);",
+        "return follow_closely(geom, followed);", contract("Contract.01_*:Notice.*"))
     yield Fault(
         "swapped_bits", "space", filters,
         "((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits))",

@@ -258,7 +258,7 @@ protected:
         shapes.start(2);
         shapes.update(scene, proxies.members(), proxies);
         const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
-        GapCache cache(Payer::nobody);
+        GapCache cache(Payer::none);
         GapBudget budget;
         std::uint64_t looks = 0;
         return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).check_gap({0, 1}, cache, budget);

@@ -42,7 +42,7 @@ public:
         ++update_;
         shapes_.update(*this, proxies_.members(), proxies_);
         if (shapes_.renewed(the_pair))
-            cache_ = GapCache(Payer::nobody);
+            cache_ = GapCache(Payer::none);
         shapes_.clear_renewed();
         const OverlapTest boxes{*this, proxies_.places.data(), false, Origin().doubt(), Float4::all(0)};
         ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
@@ -77,7 +77,7 @@ private:
     ProxyStore proxies_;
     UpdateNumber update_ = 1;
     MeasuredShapes shapes_;
-    GapCache cache_{Payer::nobody};
+    GapCache cache_{Payer::none};
     GapBudget budget_;
     std::uint64_t looks_ = 0;
 };

@@ -24,7 +24,7 @@ bool EnvelopeIndex::find_pairs(ProxyStore &proxies, const Batch &batch, const Id
     for (ProxyId id : batch.ids())
         if (!idle.contains(id))
             boxes_.push_back({id, proxies.places[id].envelope()});
-    look_up(batch, idle, pairs);
+    query(batch, idle, pairs);
     return true;
 }
 
@@ -121,7 +121,7 @@ void EnvelopeIndex::clear(ProxyStore &proxies)
 }
 
 // Tree and list skip objects of the batch, because sort and sweep finds the pairs within the batch.
-void EnvelopeIndex::look_up(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs)
+void EnvelopeIndex::query(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs)
 {
     if (boxes_.size() > 1)
         sort_and_sweep_.find_pairs(boxes_, pairs);

@@ -48,7 +48,7 @@ private:
     bool refit(ProxyStore &proxies);
     void build(ProxyStore &proxies);
     TreeKind tree_kind_for(const FloatBox &envelope) const;
-    void look_up(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
+    void query(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
     void find_in_tree(const SweptProxy *some, std::size_t count, const Batch &batch, const IdSet &idle,
                       std::vector<CandidatePair> &pairs);
     void sweep(const ProxyStore &proxies, const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);

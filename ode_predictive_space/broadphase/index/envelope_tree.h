@@ -94,7 +94,7 @@ private:
     using Overfull = std::array<Entry, width + 1>;
 
     template <typename Probe, typename Visit> void walk_below(Index node, const Probe &probe, const Visit &visit) const;
-    template <typename Probe, typename Visit> static void look_at(const Node &node, const Probe &probe, Visit visit)
+    template <typename Probe, typename Visit> static void visit_hits(const Node &node, const Probe &probe, Visit visit)
     {
         for (unsigned hits = probe.overlaps(node.boxes) & ~(~0u << node.count); hits != 0; hits &= hits - 1)
             visit(node.content[__builtin_ctz(hits)]);
@@ -131,7 +131,7 @@ void EnvelopeTree::walk_below(Index node, const Probe &probe, const Visit &visit
         if (count + width > walk_room)
             walk_below(next, probe, visit);
         else
-            look_at(nodes_[next], probe, [&](Index content) {
+            visit_hits(nodes_[next], probe, [&](Index content) {
                 if (content < 0)
                     visit(static_cast<ProxyId>(~content));
                 else
@@ -157,7 +157,7 @@ void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit v
         if (end - begin + width > walk_room)
             walk_below(step.node, probe, [&](ProxyId proxy) { visit(step.probe, proxy); });
         else
-            look_at(nodes_[step.node], probe, [&](Index content) {
+            visit_hits(nodes_[step.node], probe, [&](Index content) {
                 if (content < 0)
                     return visit(step.probe, static_cast<ProxyId>(~content));
                 waiting[end++ % walk_room] = {content, step.probe};

@@ -80,12 +80,12 @@ std::optional<double> time_of_contact(const PredictedShape &first, const Predict
     const Gap gap = find_gap(first.shape, second.shape, Vector3::Zero(), margin);
     if (!(gap.length > margin))
         return time_beside_surface(first, second, margin, duration);
-    const Path way = relative_path(first.envelope.path, second.envelope.path);
+    const Path relative = relative_path(first.envelope.path, second.envelope.path);
     // The deviation bounds each coordinate. Along a diagonal, the object may be farther off its path.
     const Deviation deviation = gap.axis.lpNorm<1>() * (first.envelope.deviation + second.envelope.deviation);
     const double left = rounds_down * (gap.length - margin) - reach_by_turning(first, second, gap.axis) -
                         reach_by_turning(second, first, -gap.axis) - 2 * deviation.a;
-    return at_least_next_tick(left, gap.axis.dot(way.velocity) - deviation.b,
-                              0.5 * gap.axis.dot(way.acceleration) - deviation.c, duration);
+    return at_least_next_tick(left, gap.axis.dot(relative.velocity) - deviation.b,
+                              0.5 * gap.axis.dot(relative.acceleration) - deviation.c, duration);
 }
 } // namespace ode_predictive_space

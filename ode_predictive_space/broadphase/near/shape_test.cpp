@@ -78,7 +78,7 @@ GapCache ShapeTest::new_gap_cache(const CandidatePair &pair) const
     const std::vector<ProxyRecord> &records = objects_.proxies.records;
     const auto is_hand = [&](ProxyId id) { return records[id].role == Role::fixed_interactive; };
     if (is_hand(pair.first) || is_hand(pair.second))
-        return GapCache(Payer::nobody);
+        return GapCache(Payer::none);
     return GapCache(records[pair.first].is_costly ? Payer::first : Payer::second);
 }
 

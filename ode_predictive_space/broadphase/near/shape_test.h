@@ -18,7 +18,7 @@ enum class Payer : std::uint8_t
 {
     first,
     second,
-    nobody ///< the program has made an object of the pair interactive: checks are not limited
+    none ///< the program has made an object of the pair interactive: checks are not limited
 };
 
 /// The result of a pair's last gap check, and the time of the next one. A new pair is due at its first test.
@@ -36,7 +36,7 @@ struct GapCache
     /// @return null if checks are not limited.
     const ProxyId *payer_of(const CandidatePair &pair) const
     {
-        return payer == Payer::nobody ? nullptr : payer == Payer::first ? &pair.first : &pair.second;
+        return payer == Payer::none ? nullptr : payer == Payer::first ? &pair.first : &pair.second;
     }
 };
 static_assert(sizeof(GapCache) == 24, "there is one for each near pair that is tested by shape");

@@ -73,10 +73,10 @@ float size_of(const TightBox &box)
     return finite_or_zero(sides).largest_of_three();
 }
 
-float ticks_to_travel(float way, float speed, float acceleration)
+float ticks_to_travel(float distance, float speed, float acceleration)
 {
-    const float pace = speed + std::sqrt(speed * speed + 2 * acceleration * way);
-    return pace > 0 ? 2 * way / pace : std::numeric_limits<float>::infinity();
+    const float pace = speed + std::sqrt(speed * speed + 2 * acceleration * distance);
+    return pace > 0 ? 2 * distance / pace : std::numeric_limits<float>::infinity();
 }
 
 float scrambled(ProxyId id)
@@ -87,9 +87,9 @@ float scrambled(ProxyId id)
 
 struct Predictor::Outcome
 {
-    float ticks = 0; // since the prediction
-    float way = 0;   // length of the predicted displacement
-    float error = 0; // distance from the predicted path
+    float ticks = 0;    // since the prediction
+    float distance = 0; // length of the predicted displacement
+    float error = 0;    // distance from the predicted path
     Float4 displacement = Float4::all(0);
 };
 
@@ -115,10 +115,10 @@ Predictor::Outcome Predictor::judge(const ProxyRecord &record, Float4 centre, Ti
     const Motion motion{Float4::all(step) * load_three(record.velocity) + Float4::all(0.5f) * acceleration,
                         acceleration};
     const Float4 expected = bounded(motion.displacement(outcome.ticks));
-    const float squared_way = dot(expected, expected);
-    const float along = squared_way > 0 ? dot(outcome.displacement, expected) / squared_way : 0;
+    const float squared_distance = dot(expected, expected);
+    const float along = squared_distance > 0 ? dot(outcome.displacement, expected) / squared_distance : 0;
     const float part = std::max(along, 0.0f);
-    outcome.way = std::sqrt(squared_way);
+    outcome.distance = std::sqrt(squared_distance);
     outcome.error = norm(outcome.displacement - Float4::all(part) * expected);
     return outcome;
 }
@@ -133,15 +133,15 @@ void adapt_reach(ProxyRecord &record, float ticks)
     record.reach = std::clamp(reach, tuning::slack, tuning::most_reach);
 }
 
-void adapt_spread(ProxyRecord &record, float way, float error)
+void adapt_spread(ProxyRecord &record, float distance, float error)
 {
-    if (way > tuning::slack * record.size)
-        record.spread = std::min(std::max(0.5f * record.spread, 2 * error / way), tuning::most_spread);
+    if (distance > tuning::slack * record.size)
+        record.spread = std::min(std::max(0.5f * record.spread, 2 * error / distance), tuning::most_spread);
 }
 
-Deviation adapted_deviation(float size, float spread, float way, float ticks)
+Deviation adapted_deviation(float size, float spread, float distance, float ticks)
 {
-    return {tuning::slack * size, spread * way / ticks, 0};
+    return {tuning::slack * size, spread * distance / ticks, 0};
 }
 
 // An envelope around the bounding sphere is compared with the centre alone until it meets another.
@@ -215,9 +215,9 @@ Predictor::Motion Predictor::motion_of(ProxyRecord &record, const Outcome &outco
     return motion;
 }
 
-float Predictor::ticks_for(float way, float speed, float acceleration) const
+float Predictor::ticks_for(float distance, float speed, float acceleration) const
 {
-    const float ticks = ticks_to_travel(way, speed, acceleration);
+    const float ticks = ticks_to_travel(distance, speed, acceleration);
     const auto least = static_cast<float>(settings.horizon.min_ticks);
     const auto most = static_cast<float>(settings.horizon.max_ticks);
     return ticks >= least ? std::min(ticks, most) : ticks < least ? least : most;
@@ -263,9 +263,9 @@ std::optional<Vector3> Predictor::Reviewed::far_middle() const
     if (count == 0)
         return std::nullopt;
     const Float4 middle = Float4::all(0.5f) * (low + high), half = Float4::all(0.5f) * (high - low);
-    const float way = abs(middle).largest_of_three();
-    const bool is_far = way > half.largest_of_three() && way * count > tuning::far_in_sizes * sizes;
-    return is_far && way < 1e15f ? std::optional(to_vector(middle)) : std::nullopt;
+    const float distance = abs(middle).largest_of_three();
+    const bool is_far = distance > half.largest_of_three() && distance * count > tuning::far_in_sizes * sizes;
+    return is_far && distance < 1e15f ? std::optional(to_vector(middle)) : std::nullopt;
 }
 
 std::optional<Vector3> Predictor::review(const ProxyStore &proxies)
@@ -316,15 +316,15 @@ void Predictor::predict(ProxyStore &proxies, const Origin &origin, ProxyId id, c
     if (outcome.ticks > 0)
     {
         adapt_reach(record, outcome.ticks);
-        adapt_spread(record, outcome.way, outcome.error);
+        adapt_spread(record, outcome.distance, outcome.error);
     }
-    const float way = record.reach * record.size, speed = norm(motion.velocity), bend = norm(motion.acceleration);
+    const float distance = record.reach * record.size, speed = norm(motion.velocity), bend = norm(motion.acceleration);
     // A path that exceeds any reach within a tick is useless.
     if (!(speed + bend < tuning::most_reach * record.size))
         motion = Motion();
-    const float ticks = ticks_for(way, speed, bend);
+    const float ticks = ticks_for(distance, speed, bend);
     const bool never_moved = outcome.ticks == 0 && speed == 0;
-    const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, way, ticks);
+    const Deviation adapted = adapted_deviation(record.size, tuning::most_spread, distance, ticks);
     const Deviation deviation = deviation_of(record, never_moved ? Deviation() : adapted);
     record.radius = round_up(seen.radius);
     const bool by_radius = record.tests == 0 && std::isfinite(record.radius) && is_finite(tight);
@@ -454,10 +454,10 @@ void Predictor::follow(const Track &track, const ProxyRecord &record, Forecast &
     envelope.path.velocity = finite_or_zero(path.velocity);
     envelope.path.acceleration = finite_or_zero(path.acceleration);
     const double speed = envelope.path.velocity.norm(), bend = envelope.path.acceleration.norm();
-    const float way = std::max(record.reach, tuning::forecast_reach) * record.size;
-    const float ticks = ticks_for(way, static_cast<float>(speed), static_cast<float>(bend));
+    const float distance = std::max(record.reach, tuning::forecast_reach) * record.size;
+    const float ticks = ticks_for(distance, static_cast<float>(speed), static_cast<float>(bend));
     forecast.ticks = ticks;
-    const float travel = speed + bend > 0 ? way : 0;
+    const float travel = speed + bend > 0 ? distance : 0;
     envelope.deviation =
         deviation_of(record, adapted_deviation(record.size, record.spread, travel, ticks)) + track.rounding();
     const double turning = track.turning();

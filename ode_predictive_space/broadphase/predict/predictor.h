@@ -86,7 +86,7 @@ private:
     Outcome judge(const ProxyRecord &record, Float4 centre, Tick now) const;
     Motion motion_of(ProxyRecord &record, const Outcome &outcome, const Observation &seen);
     Motion motion_of_body(const ProxyRecord &record, const Outcome &outcome, Float4 velocity);
-    float ticks_for(float way, float speed, float acceleration) const;
+    float ticks_for(float distance, float speed, float acceleration) const;
     Deviation deviation_of(const ProxyRecord &record, const Deviation &adapted) const;
     static TightBox swept(const TightBox &box, const Motion &motion, float ticks, float deviation);
     void note_farthest(const TightBox &box);

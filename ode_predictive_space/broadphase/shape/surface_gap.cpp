@@ -22,9 +22,9 @@ public:
     // Lower bound of the distance between a triangle and the centre.
     double distance_to(const TriangleCorners &corners) const
     {
-        const Vector3 way = way_from(corners);
-        const double length = way.norm();
-        return length > 0 ? (way.dot(centre_) - farthest(way, corners)) / length : 0;
+        const Vector3 direction = direction_from(corners);
+        const double length = direction.norm();
+        return length > 0 ? (direction.dot(centre_) - farthest(direction, corners)) / length : 0;
     }
 
     // Work of gap_to() for its five axes.
@@ -33,12 +33,12 @@ public:
     // The largest gap to a triangle along a few axes: from its nearest point to the centre, its normal, and the axes of a box.
     double gap_to(const TriangleCorners &corners) const
     {
-        const Vector3 way = way_from(corners);
+        const Vector3 direction = direction_from(corners);
         const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        double largest = std::max(gap_along(way, corners), gap_along(towards(way, normal), corners));
+        double largest = std::max(gap_along(direction, corners), gap_along(towards(direction, normal), corners));
         for (std::size_t i = 0; i < 3; ++i)
             if (shape_.half_sides[static_cast<Eigen::Index>(i)] > 0)
-                largest = std::max(largest, gap_along(towards(way, mesh_.along_axes(shape_.axes[i])), corners));
+                largest = std::max(largest, gap_along(towards(direction, mesh_.along_axes(shape_.axes[i])), corners));
         return largest;
     }
 
@@ -46,19 +46,19 @@ private:
     // The second step corrects for a matrix that is not exactly a rotation.
     static Vector3 place_in(const ConvexShape &mesh, const Vector3 &point)
     {
-        const Vector3 way = point - mesh.centre;
-        const Vector3 nearly = mesh.along_axes(way);
-        return nearly + mesh.along_axes(way - mesh.from_axes(nearly)) + mesh.hull->centre();
+        const Vector3 from_centre = point - mesh.centre;
+        const Vector3 nearly = mesh.along_axes(from_centre);
+        return nearly + mesh.along_axes(from_centre - mesh.from_axes(nearly)) + mesh.hull->centre();
     }
 
-    Vector3 way_from(const TriangleCorners &corners) const
+    Vector3 direction_from(const TriangleCorners &corners) const
     {
         return centre_ - nearest_on_triangle(centre_, corners).point;
     }
 
-    static Vector3 towards(const Vector3 &way, const Vector3 &axis)
+    static Vector3 towards(const Vector3 &direction, const Vector3 &axis)
     {
-        return axis.dot(way) < 0 ? Vector3(-axis) : axis;
+        return axis.dot(direction) < 0 ? Vector3(-axis) : axis;
     }
 
     static double farthest(const Vector3 &direction, const TriangleCorners &corners)
