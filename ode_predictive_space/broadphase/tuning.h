@@ -67,18 +67,12 @@ constexpr std::size_t small_scene = 192;
 /// A batch of more than one part in this many of the scene is swept together with all other objects. (heap 500)
 constexpr std::size_t part_of_bulk = 3;
 
-/// Maximum growth of the inner boxes' areas up to which a refitted tree is kept. (another origin; 100 robots that are set back)
-constexpr float worse_by_refitting = 1.5f;
-
 /// Queries that walk the tree together, so that their cache misses overlap. (gas 10,000; 32 cost gas 100,000 a sixth)
 constexpr std::size_t queries_together = 16;
 
 /// Levels above a leaf that are searched for a box which holds its new envelope. If one does, the leaf stays in its place.
 /// (rain 1,000, heap 2,000: more is better; game 1,000: 3 is)
 constexpr int levels_nearby = 4;
-
-/// Weight of a tree box's half area, relative to its growth, at insertion. (game 10,000, heap 2,000: 0 and 0.1 are worse)
-constexpr float weight_of_size = 0.001f;
 
 // --- Sort and sweep ---
 
@@ -107,7 +101,8 @@ constexpr float part_for_checks = 1.0f / 64, allowed_reports = 8;
 /// Search distance for the surface of a mesh or heightfield, in radii of the shape. (room 1,000)
 constexpr double surface_search = 8;
 
-/// Part of the nearest distance found beyond which triangles are skipped. The gap is underestimated by as much. (room 1,000)
+/// Part of a distance up to which a search for a gap goes on: farther triangles are skipped, and a larger gap ends the search between
+/// hulls. The gap is underestimated by as much. (room 1,000)
 constexpr double near_enough = 0.8;
 
 /// Steps per tick for making hulls and trees while a person drives a geom: some 0.25 ms. (room of 215,000 triangles)

@@ -12,7 +12,7 @@ Float4 half_areas(const Float4 *sides)
     return sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
 }
 
-// The place whose box grows least when another is merged into it. A small weight of the size prefers small boxes.
+// The place whose box grows least when another is merged into it.
 std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, const FloatBox &box)
 {
     Float4 sides[3], grown_sides[3];
@@ -23,7 +23,7 @@ std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, con
             max(boxes.highs(axis), Float4::all(box.high[axis])) - min(boxes.lows(axis), Float4::all(box.low[axis]));
     }
     float cost[FourBoxes::most];
-    (half_areas(grown_sides) - Float4::all(1 - tuning::weight_of_size) * half_areas(sides)).store(cost);
+    (half_areas(grown_sides) - half_areas(sides)).store(cost);
     std::size_t best = 0;
     for (std::size_t place = 1; place < count; ++place)
         best = cost[place] < cost[best] ? place : best;
@@ -286,35 +286,6 @@ void EnvelopeTree::refit_upwards(Index index)
         index = place / width;
         node_of(place).boxes.set(place % width, box);
     }
-}
-
-bool EnvelopeTree::refit(const std::vector<SweptProxy> &leaves)
-{
-    for (const SweptProxy &leaf : leaves)
-    {
-        const Index place = leaf_place_[leaf.proxy];
-        node_of(place).boxes.set(place % width, leaf.box);
-    }
-    float before = 0;
-    return empty() || refit_below(root_, before) <= tuning::worse_by_refitting * before;
-}
-
-// @param before increased by the former half areas of all boxes of nodes below.
-// @return the sum of their new half areas.
-float EnvelopeTree::refit_below(Index index, float &before)
-{
-    Node &node = nodes_[index];
-    float sum = 0;
-    if (!node.is_lowest())
-        for (Index place = width * index; place < width * index + node.count; ++place)
-        {
-            const Index below = node.content[place % width];
-            before += box_at(place).half_area();
-            sum += refit_below(below, before);
-            node.boxes.set(place % width, nodes_[below].boxes.merged());
-            sum += box_at(place).half_area();
-        }
-    return sum;
 }
 
 bool EnvelopeTree::consistent() const

@@ -3,14 +3,13 @@
 #include <optional>
 
 #include "ode_predictive_space/broadphase/shape/nearest_point.h"
+#include "ode_predictive_space/broadphase/tuning.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
-constexpr int steps = 9;               // maximum number of steps of the search
-constexpr double precise_enough = 0.9; // part of the distance at which the search ends
-constexpr double worth_a_search = 0.5; // part of the largest possible gap below which a search follows
+constexpr int steps = 9; // maximum number of steps of the search
 
 float work_of_axis(const ConvexShape &first, const ConvexShape &second)
 {
@@ -30,12 +29,6 @@ Gap gap_to_half_space(const ConvexShape &half_space, const ConvexShape &other)
     const Vector3 &out = half_space.axes[0];
     const double length = out.dot(other.centre - half_space.centre) - other.reach(-out);
     return {length - rounding(half_space) - rounding(other), out, other.work_of_reach()};
-}
-
-double most_gap(const ConvexShape &first, const ConvexShape &second)
-{
-    const auto within = [](const ConvexShape &shape) { return 0.5 * shape.size; };
-    return (second.centre - first.centre).norm() - within(first) - within(second);
 }
 
 // Steps of GJK (Gilbert, Johnson, Keerthi 1988) towards the point of the Minkowski difference that is closest to the origin.
@@ -58,7 +51,7 @@ void approach_closest(const ConvexShape &first, const ConvexShape &second, Vecto
             return;
         towards = nearest->point();
         const double distance = towards.norm() - around;
-        if (!(distance > least) || largest.length >= precise_enough * distance)
+        if (!(distance > least) || largest.length >= tuning::near_enough * distance)
             return;
     }
 }
@@ -98,10 +91,9 @@ Gap find_gap(const ConvexShape &first, const ConvexShape &second, const Vector3 
     Gap largest;
     if (axis.squaredNorm() > 0)
         largest = gap_along(axis, first, second);
-    if (largest.length > least && largest.length >= worth_a_search * most_gap(first, second))
+    if (largest.length > least)
         return largest;
-    const Vector3 towards = largest.length > least ? largest.axis : Vector3(second.centre - first.centre);
-    approach_closest(first, second, towards, least, largest);
+    approach_closest(first, second, second.centre - first.centre, least, largest);
     return largest;
 }
 } // namespace ode_predictive_space
