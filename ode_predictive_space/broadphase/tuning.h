@@ -13,14 +13,9 @@ namespace ode_predictive_space::tuning
 
 /// Maximum number of objects whose working set stays cached between ticks: prefetching does not pay. (gas 1,000, pile 1,000)
 constexpr std::size_t cached_objects = 300;
-/// As above, for the two lines per geom that callbacks read; notices and measure have just read most. (floor 500, pile 1,000)
-constexpr std::size_t cached_filters = 2000;
 
 /// Prefetch distance in loop iterations. (gas 10,000)
 constexpr std::size_t prefetch_distance = 8;
-
-/// Scratch arrays of up to this capacity, and spaces of fewer objects, keep their memory.
-constexpr std::size_t kept_elements = 1024;
 
 /// Objects per call of the scene: their observations fit into the first-level cache.
 constexpr std::size_t objects_per_call = 32;
@@ -53,11 +48,6 @@ constexpr float far_in_sizes = 1e4f;
 /// Calls in a row that show a habit of the program. After so many queries after moves, without a tick, each further one counts as
 /// a tick. After so many collisions without a move, an object counts as still: some programs collide more than once per step. (ask)
 constexpr std::uint32_t calls_of_a_habit = 16;
-
-/// Minimum reach of a forecast, in object sizes.
-constexpr float forecast_reach = 9;
-/// Maximum number of times that its horizon is halved when paths bend. (a hand that goes away)
-constexpr int forecast_halvings = 4;
 
 // --- Index ---
 
@@ -104,6 +94,16 @@ constexpr double surface_search = 8;
 /// Part of a distance up to which a search for a gap goes on: farther triangles are skipped, and a larger gap ends the search between
 /// hulls. The gap is underestimated by as much. (room 1,000)
 constexpr double near_enough = 0.8;
+
+// --- Limits. They bound answers, memory and the time of a tick, and are not for speed. ---
+
+/// Minimum reach of a forecast, in object sizes.
+constexpr float forecast_reach = 9;
+/// Maximum number of times that its horizon is halved when paths bend. (a hand that goes away)
+constexpr int forecast_halvings = 4;
+
+/// Scratch arrays of up to this capacity, and spaces of fewer objects, keep their memory.
+constexpr std::size_t kept_elements = 1024;
 
 /// Steps per tick for making hulls and trees while a person drives a geom: some 0.25 ms. (room of 215,000 triangles)
 constexpr std::size_t steps_per_tick = 12500;

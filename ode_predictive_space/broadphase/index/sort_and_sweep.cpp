@@ -100,14 +100,13 @@ SortAndSweep::Layout SortAndSweep::Layout::fit_for(const Items &items)
 
 int SortAndSweep::Layout::bits_of_slabs(const Items &items) const
 {
-    constexpr int fewest_bits = 4;
     const int axis = across.axis;
     const double width = Moments(items, [axis](const FloatBox &box) { return box.high[axis] - box.low[axis]; }).mean;
     // Evenly distributed boxes occupy this part of the places.
     const double part = std::sqrt(3) / tuning::deviations_per_half;
     const double least = std::max(width * across.places_per_unit, tuning::least_boxes_per_slab * part * places_beside /
                                                                       static_cast<double>(items.size()));
-    int bits = fewest_bits;
+    int bits = 0;
     while (bits < bits_beside && (1 << bits) < least)
         ++bits;
     return bits;
