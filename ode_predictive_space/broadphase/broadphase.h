@@ -58,9 +58,9 @@ public:
     ///     bool turns_safely()        the sphere of its radius around its position holds it after any rotation
     ///     Solid solid()
     ///     double radius()
-    /// @return Followed::moved, in nearly all cases, when the report is complete; otherwise report_closely() must follow.
+    /// @return Followed::moved, in nearly all cases, when the report is complete; otherwise notify_closely() must follow.
     template <typename Object> // inlined although it is large: it runs at each notice
-    [[gnu::always_inline]] Followed report_at_once(ProxyId id, const Object &object)
+    [[gnu::always_inline]] Followed notify_at_once(ProxyId id, const Object &object)
     {
         Place &place = proxies_.places[id];
         const Watch watch = place.watch();
@@ -69,15 +69,15 @@ public:
         return noted(id, place, place.follow(object.position(), object.rotation(), origin_));
     }
 
-    /// report_at_once() for an object that is watched as carried and turns safely.
-    Followed report_carried_at_once(ProxyId id, Float4 centre)
+    /// notify_at_once() for an object that is watched as carried and turns safely.
+    Followed notify_carried_at_once(ProxyId id, Float4 centre)
     {
         Place &place = proxies_.places[id];
         return noted(id, place, place.follow_centre(centre));
     }
 
     /// @return false when pose and size are unchanged in single precision: that counts as no move.
-    template <typename Object> bool report_closely(ProxyId id, const Object &object, Followed followed);
+    template <typename Object> bool notify_closely(ProxyId id, const Object &object, Followed followed);
 
     void mark_moved(ProxyId id)
     {
@@ -275,7 +275,7 @@ private:
     std::size_t trim_below_ = 0; // memory may be given back when fewer objects than this remain
 };
 
-template <typename Object> bool Broadphase::report_closely(ProxyId id, const Object &object, Followed followed)
+template <typename Object> bool Broadphase::notify_closely(ProxyId id, const Object &object, Followed followed)
 {
     Place &place = proxies_.places[id];
     const auto same_size = [&] {

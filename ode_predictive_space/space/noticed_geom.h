@@ -61,7 +61,7 @@ private:
 /// The radius of CarriedGeom::carried(); infinite for classes without a circumscribed sphere. @pre the geom has an offset.
 double radius_at_offset(const dxGeom *geom);
 
-/// The object of Broadphase::report_at_once() and report_closely().
+/// The object of Broadphase::notify_at_once() and notify_closely().
 class NoticedGeom
 {
 public:

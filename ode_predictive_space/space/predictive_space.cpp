@@ -149,7 +149,7 @@ void dxPredictiveSpace::dirty(dxGeom *geom)
         return; // the next collide reads the geom's flag
     if (geom->gflags & GEOM_POSR_BAD)
         return follow_carried(geom);
-    note_followed(geom, broadphase_.report_at_once(proxy_of(geom), NoticedGeom(geom)));
+    note_followed(geom, broadphase_.notify_at_once(proxy_of(geom), NoticedGeom(geom)));
 }
 
 inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
@@ -176,13 +176,13 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     {
         const CarriedGeom carried(geom);
         return note_followed(geom, carried.turns_safely(place.allowed_offset())
-                                       ? broadphase_.report_carried_at_once(id, carried.centre(broadphase_.origin()))
+                                       ? broadphase_.notify_carried_at_once(id, carried.centre(broadphase_.origin()))
                                        : Followed::left);
     }
     if (!place.watches_solid())
         return follow_closely(geom, Followed::left);
     geom->recomputePosr();
-    note_followed(geom, broadphase_.report_at_once(id, NoticedGeom(geom)));
+    note_followed(geom, broadphase_.notify_at_once(id, NoticedGeom(geom)));
 }
 
 // Not inlined, as follow_carried().
@@ -194,7 +194,7 @@ inline void dxPredictiveSpace::note_followed(dxGeom *geom, Followed followed)
     if (geom->type == dTriMeshClass)
         moved_mesh_ = geom;
     listen_to(geom);
-    unchanged_ += !broadphase_.report_closely(proxy_of(geom), NoticedGeom(geom), followed);
+    unchanged_ += !broadphase_.notify_closely(proxy_of(geom), NoticedGeom(geom), followed);
     note_changed_line(geom);
 }
 

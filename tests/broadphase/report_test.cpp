@@ -35,7 +35,7 @@ protected:
     // Whether the report is enough without a closer check.
     bool settles(ProxyId id)
     {
-        return world.broadphase.report_at_once(id, Noticed(world.object(id))) == Followed::moved;
+        return world.broadphase.notify_at_once(id, Noticed(world.object(id))) == Followed::moved;
     }
 
     // As above, for a report before a tick that is checked.

@@ -94,8 +94,8 @@ void World::remove(ProxyId id)
 bool World::touch(ProxyId id)
 {
     const Noticed noticed(objects_[id]);
-    const Followed followed = broadphase.report_at_once(id, noticed);
-    return followed == Followed::moved || broadphase.report_closely(id, noticed, followed);
+    const Followed followed = broadphase.notify_at_once(id, noticed);
+    return followed == Followed::moved || broadphase.notify_closely(id, noticed, followed);
 }
 
 void World::place(ProxyId id, const Vector3 &centre)

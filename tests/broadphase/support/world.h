@@ -34,7 +34,7 @@ Box bounds_of(const Object &object);
 
 Solid solid_of(const Object &object);
 
-/// An object as Broadphase::report_at_once() and report_closely() read it.
+/// An object as Broadphase::notify_at_once() and notify_closely() read it.
 class Noticed
 {
 public:
