@@ -50,7 +50,7 @@ public:
     /// Throws nothing.
     void remove(ProxyId id);
 
-    /// Reports a change of an object's pose, size or anything else that its bounds depend on. Every change must be reported.
+    /// Notice of a change of an object's pose, size or anything else that its bounds depend on. Every change needs one.
     /// @tparam Object describes the object:
     ///     bool has_pose()            the next two are known
     ///     const Real *position()
@@ -58,7 +58,7 @@ public:
     ///     bool turns_safely()        the sphere of its radius around its position holds it after any rotation
     ///     Solid solid()
     ///     double radius()
-    /// @return Followed::moved, in nearly all cases, when the report is complete; otherwise notify_closely() must follow.
+    /// @return Followed::moved, in nearly all cases, when the notice is complete; otherwise notify_closely() must follow.
     template <typename Object> // inlined although it is large: it runs at each notice
     [[gnu::always_inline]] Followed notify_at_once(ProxyId id, const Object &object)
     {
