@@ -46,12 +46,12 @@ public:
         shapes_.clear_renewed();
         const OverlapTest boxes{*this, proxies_.places.data(), false, Origin().doubt(), Float4::all(0)};
         ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
-        if (test.postpones(the_pair, look_))
+        if (test.postpones(the_pair, cache_))
             return false;
         return cache_.pause > 0 ? cache_.pause-- > 0 : test.check_gap(the_pair, cache_, budget_);
     }
 
-    bool postponed() const { return shapes_.travel(the_pair) < look_.due; }
+    bool postponed() const { return shapes_.travel(the_pair) < cache_.due; }
     std::uint64_t looks() const { return looks_; }
 
     void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override
