@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_set.h"
+#include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
 
 namespace ode_predictive_space
