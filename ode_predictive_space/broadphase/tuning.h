@@ -35,7 +35,7 @@ constexpr float tests_per_prediction = 140;
 constexpr std::size_t few_objects = 16;
 
 /// Constant part of the deviation, in object sizes, for jitter and for bounding boxes that change by turning. It is also the
-/// minimum reach, and the minimum travel before the spread adapts. (heap 500)
+/// minimum reach, the minimum travel before the spread adapts, and the first spread. (heap 500)
 constexpr float slack = 0.01f;
 
 /// Maximum spread: deviation per distance travelled. Envelopes use it, as narrow ones break; forecasts adapt theirs. (heap 500)
@@ -47,7 +47,7 @@ constexpr float far_in_sizes = 1e4f;
 
 /// Calls in a row that show a habit of the program. After so many queries after moves, without a tick, each further one counts as
 /// a tick. After so many collisions without a move, an object counts as still: some programs collide more than once per step. (ask)
-constexpr std::uint32_t calls_of_a_habit = 16;
+constexpr std::uint32_t calls_of_a_habit = 8;
 
 // --- Index ---
 

@@ -12,7 +12,7 @@ Float4 half_areas(const Float4 *sides)
     return sides[0] * sides[1] + sides[1] * sides[2] + sides[2] * sides[0];
 }
 
-// The place whose box grows least when another is merged into it.
+// The place whose box grows least when another is merged into it; of those that grow alike, the smallest (Guttman 1984).
 std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, const FloatBox &box)
 {
     Float4 sides[3], grown_sides[3];
@@ -22,11 +22,13 @@ std::size_t place_of_least_growth(const FourBoxes &boxes, std::size_t count, con
         grown_sides[axis] =
             max(boxes.highs(axis), Float4::all(box.high[axis])) - min(boxes.lows(axis), Float4::all(box.low[axis]));
     }
-    float cost[FourBoxes::most];
-    (half_areas(grown_sides) - half_areas(sides)).store(cost);
+    float area[FourBoxes::most], growth[FourBoxes::most];
+    half_areas(sides).store(area);
+    (half_areas(grown_sides) - half_areas(sides)).store(growth);
     std::size_t best = 0;
     for (std::size_t place = 1; place < count; ++place)
-        best = cost[place] < cost[best] ? place : best;
+        if (growth[place] < growth[best] || (growth[place] == growth[best] && area[place] < area[best]))
+            best = place;
     return best;
 }
 } // namespace

@@ -167,7 +167,7 @@ float seconds_of_travel(Float4 displacement, Float4 velocity)
 void begin(ProxyRecord &record, ProxyId id)
 {
     record.reach = tuning::first_reach * (0.75f + 0.5f * scrambled(id));
-    record.spread = tuning::most_spread;
+    record.spread = tuning::slack;
     record.predicted = true;
 }
 } // namespace
