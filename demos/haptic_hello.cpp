@@ -74,7 +74,7 @@ bool press(dSpaceID space, haptics::LoopClock *clock)
         dWorldQuickStep(world, dt);
         dJointGroupEmpty(contacts);
         if (++ticks % 100 == 0)
-            std::printf("%.1f s: the probe at %.4f m %s, the hand feels %.2f N\n", ticks * dt,
+            std::printf("%.1f s: the probe at %.4f m %s, the force at the hand is %.2f N\n", ticks * dt,
                         sphere.tool().position.z(), sphere.touches().empty() ? "touches nothing" : "touches the box",
                         sphere.last_tick().force.z());
     };

@@ -42,7 +42,7 @@ void EncounterLog::log_contact(double time, std::uintptr_t object)
     LoggedContact contact{object, time};
     if (const Listed *listed = find(listed_, object))
     {
-        contact.foretold = true;
+        contact.predicted = true;
         contact.warning = time - listed->since;
         contact.forecast = listed->forecast;
     }
@@ -61,7 +61,7 @@ std::vector<EncounterLog::Listed> EncounterLog::list(double time, const std::vec
         const Listed *known = find(listed_, object);
         Listed listed = known != nullptr ? *known : Listed{object, time, time, false};
         listed.near = encounter.seconds <= 0;
-        // What is near was foretold for this moment, unless it was for an earlier one.
+        // What is near was predicted for this moment, unless it was for an earlier one.
         if (!listed.near || listed.since == time)
             listed.forecast = time + encounter.seconds;
         now.push_back(listed);
@@ -76,9 +76,9 @@ EncounterSummary EncounterLog::summary() const
     summary.missed = missed_;
     for (const LoggedContact &contact : contacts_)
     {
-        if (!contact.foretold)
+        if (!contact.predicted)
             continue;
-        ++summary.foretold;
+        ++summary.predicted;
         summary.mean_warning += contact.warning;
         const double early = contact.time - contact.forecast;
         if (early < -1e-9)
@@ -90,8 +90,8 @@ EncounterSummary EncounterLog::summary() const
         }
     }
     const auto divide = [](double &sum, std::size_t count) { sum = count > 0 ? sum / static_cast<double>(count) : 0; };
-    divide(summary.mean_warning, summary.foretold);
-    divide(summary.mean_early, summary.foretold - summary.late);
+    divide(summary.mean_warning, summary.predicted);
+    divide(summary.mean_early, summary.predicted - summary.late);
     return summary;
 }
 
@@ -101,10 +101,10 @@ std::string EncounterSummary::text() const
     out.precision(3);
     if (contacts == 0)
         return "No contact began.";
-    out << "Of " << contacts << " first contacts, " << foretold << " were predicted";
-    if (foretold > 0)
+    out << "Of " << contacts << " first contacts, " << predicted << " were predicted";
+    if (predicted > 0)
         out << ", " << 1000 * mean_warning << " ms ahead on average";
-    if (foretold > late)
+    if (predicted > late)
     {
         out << ". They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
             << " ms) after the predicted time of proximity";

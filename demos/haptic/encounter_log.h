@@ -14,7 +14,7 @@ struct LoggedContact
 {
     std::uintptr_t object = 0; ///< as in Touch
     double time = 0;           ///< s; of the first tick in which it was touched
-    bool foretold = false;     ///< the space had listed it in a tick before
+    bool predicted = false;    ///< the space had listed it in a tick before
     double warning = 0;        ///< s; for how long it had been listed then, without a gap
     double forecast = 0;       ///< s; when it could be near, as predicted last before it was near
 };
@@ -22,12 +22,13 @@ struct LoggedContact
 /// Of all contacts so far.
 struct EncounterSummary
 {
-    std::size_t contacts = 0; ///< first touches of an object
-    std::size_t foretold = 0; ///< of these, listed before they were touched
-    std::size_t missed = 0;   ///< touched while the space did not hold it for near: never, unless the space is broken
-    std::size_t late = 0; ///< foretold, but for later: the hand left its predicted path, and the space saw that in time
-    double mean_warning = 0; ///< s; of those that were foretold
-    double mean_early = 0;   ///< s; contact minus forecast; of those that were foretold and not late
+    std::size_t contacts = 0;  ///< first touches of an object
+    std::size_t predicted = 0; ///< of these, listed before they were touched
+    std::size_t missed = 0;    ///< touched while the space did not hold it for near: never, unless the space is broken
+    std::size_t late =
+        0; ///< predicted, but for later: the hand left its predicted path, and the space saw that in time
+    double mean_warning = 0; ///< s; of those that were predicted
+    double mean_early = 0;   ///< s; contact minus forecast; of those that were predicted and not late
     double max_early = 0;    ///< s
 
     /// In sentences.
@@ -37,7 +38,7 @@ struct EncounterSummary
 /// Compares the times of proximity that a predictive space predicts for the probe with the times of its contacts. The prediction is of
 /// bounding boxes, hence early; with dPredictiveProximityShape it is of the shapes. It must never be late.
 ///
-/// Only objects in the probe's own space are listed by it: those in nested spaces are never foretold. Allocates: not for a servo of
+/// Only objects in the probe's own space are listed by it: those in nested spaces are never predicted. Allocates: not for a servo of
 /// its own thread.
 class EncounterLog
 {

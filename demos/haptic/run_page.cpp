@@ -48,12 +48,12 @@ Plot period_plot(const RunResult &result)
 
 Plot contacts_plot(const RunResult &result)
 {
-    Curve warnings{"lead time: listed so long before the contact", {}, Curve::Style::dots};
+    Curve warnings{"lead time: from the listing to the contact", {}, Curve::Style::dots};
     Curve delays{"contact after its predicted time of proximity", {}, Curve::Style::dots};
     Curve surprises{"contact that was not predicted", {}, Curve::Style::dots};
     for (const LoggedContact &contact : result.contacts)
     {
-        if (contact.foretold)
+        if (contact.predicted)
         {
             warnings.points.push_back({contact.time, 1e3 * contact.warning});
             delays.points.push_back({contact.time, 1e3 * (contact.time - contact.forecast)});

@@ -42,7 +42,7 @@ TEST_F(EncounterLogTest, ComparesTheForecastWithTheContact)
     EXPECT_EQ(log_.contacts()[0].warning, 4);
     EXPECT_EQ(log_.contacts()[0].forecast, 5);
     const EncounterSummary summary = log_.summary();
-    EXPECT_EQ(summary.foretold, 1U);
+    EXPECT_EQ(summary.predicted, 1U);
     EXPECT_EQ(summary.late, 0U);
     EXPECT_EQ(summary.missed, 0U);
     EXPECT_EQ(summary.mean_early, 1);
@@ -61,7 +61,7 @@ TEST_F(EncounterLogTest, AContactOfWhatIsNotNearIsMissed)
 {
     log_.add(1.0, {}, touching());
     EXPECT_EQ(log_.summary().missed, 1U);
-    EXPECT_EQ(log_.summary().foretold, 0U);
+    EXPECT_EQ(log_.summary().predicted, 0U);
     log_.add(2.0, {}, {});
     log_.add(3.0, {{geom_, 1.0}}, touching());
     EXPECT_EQ(log_.summary().missed, 2U);
@@ -123,7 +123,7 @@ protected:
         meeting.summary = meet_some(proximity, settings, meeting.near);
         EXPECT_GT(meeting.summary.contacts, 20U) << meeting.summary.text();
         EXPECT_EQ(meeting.summary.missed, 0U) << meeting.summary.text();
-        EXPECT_GE(10 * meeting.summary.foretold, 9 * meeting.summary.contacts) << meeting.summary.text();
+        EXPECT_GE(10 * meeting.summary.predicted, 9 * meeting.summary.contacts) << meeting.summary.text();
         EXPECT_LE(10 * meeting.summary.late, meeting.summary.contacts) << meeting.summary.text();
         return meeting;
     }
