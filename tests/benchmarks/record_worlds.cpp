@@ -142,10 +142,10 @@ int run_as_asked(int argc, char **argv)
     bool list = false;
     app.add_flag("--list", list, "Print, as JSON, the worlds whose instructions are counted, and in which ticks");
     app.add_option("world", spec.name, "The world");
-    app.add_option("n", spec.objects, "Objects")->check(CLI::Range(1, 1000000));
-    app.add_option("--ticks", ticks, "Ticks")->check(CLI::Range(1, 100000000))->capture_default_str();
-    app.add_option("--seed", spec.seed, "Of places and motions")->capture_default_str();
-    app.add_option("--output", path, "The recording")->type_name("FILE");
+    app.add_option("n", spec.objects, "Number of objects")->check(CLI::Range(1, 1000000));
+    app.add_option("--ticks", ticks, "Number of ticks")->check(CLI::Range(1, 100000000))->capture_default_str();
+    app.add_option("--seed", spec.seed, "Seed of positions and motions")->capture_default_str();
+    app.add_option("--output", path, "The file of the recording")->type_name("FILE");
     try
     {
         app.parse(argc, argv);
