@@ -3,7 +3,8 @@
 
 ode_version() {
     local version
-    version=$(pkg-config --modversion ode 2>/dev/null) || fail "the Open Dynamics Engine is not installed, or pkg-config does not find its ode.pc: install libode-dev"
+    version=$(pkg-config --modversion ode 2>/dev/null) ||
+        fail "pkg-config does not find the Open Dynamics Engine: install libode-dev, or set PKG_CONFIG_PATH to its ode.pc"
     printf '%s' "$version"
 }
 
