@@ -141,8 +141,8 @@ std::optional<int> parse_command_line(int argc, char **argv, Options &options)
 {
     CLI::App app(
         "Runs a haptic probe among still and moving objects, in a window if there is a display; the probe pushes what "
-        "it "
-        "touches.\nWith --compare, with several spaces, or without a window and without any option for the probe, the "
+        "it touches.\nWith --compare, with several spaces, or without a window and without any option for the probe, "
+        "the "
         "program compares the predictive space with ODE's own spaces.\n"
         "Exit status: 0; 1 when compared spaces did not report the same pairs; 2 after another failure.");
     declare_options(app, options);

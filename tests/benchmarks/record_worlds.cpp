@@ -6,6 +6,7 @@
 #include "tests/benchmarks/rows.h"
 
 #include <CLI/CLI.hpp>
+#include <cstring>
 #include <dlfcn.h>
 #include <exception>
 #include <iostream>
@@ -97,7 +98,7 @@ int record(const WorldSpec &spec, int ticks, const std::string &path)
     recording::HistoryFile file(path, false);
     if (!file.is_open())
     {
-        std::cerr << "record_worlds: " << path << " cannot be written\n";
+        std::cerr << "record_worlds: " << path << " cannot be written: " << std::strerror(file.error()) << '\n';
         return 2;
     }
     Recorder writes(std::move(file), UINT64_MAX, "world " + spec.name + " " + std::to_string(spec.objects));

@@ -46,7 +46,7 @@ AtEnd take_scheduler()
     if (is_taken.exchange(true))
         throw hd_error(
             DeviceFault::permission_denied,
-            "another device is open in this program, and the library has only one scheduler: close it first");
+            "another device is open in this program, and the library has only one scheduler: close that device first");
     return AtEnd([] { is_taken.store(false); });
 }
 

@@ -83,9 +83,8 @@ void open_library()
 {
     if (spnav_fd() != -1)
     {
-        throw DeviceError(
-            DeviceFault::permission_denied,
-            "3D mouse: another device of this program uses libspnav, which has only one connection: close it first");
+        throw DeviceError(DeviceFault::permission_denied, "3D mouse: another device of this program uses libspnav, "
+                                                          "which has only one connection: close that one first");
     }
     const std::string named = named_socket();
     const bool is_named = !named.empty();

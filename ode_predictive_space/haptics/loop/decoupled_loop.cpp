@@ -159,8 +159,7 @@ private:
     {
         if (count > 0 && parts_.counts.trial_messages == 0)
             notify("ODE gives messages about trial steps, which predict the motion of touched bodies. They are counted "
-                   "and "
-                   "not passed on.");
+                   "and not passed on.");
         parts_.counts.trial_messages += count;
     }
 
