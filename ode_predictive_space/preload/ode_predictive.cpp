@@ -93,8 +93,7 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
         ->type_name("DIR");
     run->add_option("--record", options.record_file,
                     "Record the changes in the program's spaces and the collides, for `ode-predictive replay FILE`; "
-                    "each further "
-                    "process that collides gets its own file, FILE.<its number>")
+                    "each further process that collides gets its own file, FILE.<its number>")
         ->type_name("FILE");
     run->add_option(
            "--record-limit", options.record_limit,

@@ -53,10 +53,8 @@ std::string path_of_preload()
         throw Refusal(path.string() +
                       " is missing, without which no space can be replaced: install the launcher again");
     if (path.string().find_first_of(": ") != std::string::npos)
-        throw Refusal(
-            "LD_PRELOAD cannot name a file with a space or a colon in its path: install the launcher elsewhere "
-            "than in " +
-            path.string());
+        throw Refusal("LD_PRELOAD cannot name a file with a space or a colon in its path, as " + path.string() +
+                      ": install the launcher elsewhere");
     return path;
 }
 

@@ -124,8 +124,7 @@ const char *find_mismatch()
         return "there is more than one copy of ODE in this process, for example a static and a shared one";
     if (layout_differs())
         return "its geoms or spaces have another memory layout than those of the ODE that this plugin was built for; "
-               "it may be a "
-               "fork";
+               "it may be a fork";
     return nullptr;
 }
 } // namespace
