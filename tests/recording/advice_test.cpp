@@ -55,7 +55,7 @@ TEST(Advice, IsNotGivenWhereReplaysDifferTooMuch)
     Findings findings = found(400, 40, 45);
     findings.spaces[0].costs = {400, 200, 400, 600, 400};
     EXPECT_EQ(advice_for(findings), Advice::unknown);
-    EXPECT_TRUE(says(findings, "Try again when the machine is idle")) << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "Measure again on an idle machine")) << sentence_for(findings);
 }
 
 TEST(Advice, IsNotGivenFromAFewCollides)

@@ -347,9 +347,9 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("not finite", [](Bytes &b) { b.heights(2, 2, std::numeric_limits<dReal>::infinity()); });
     refused("sample is not finite", [](Bytes &b) { b.heights(2, 2, 2, std::numeric_limits<double>::quiet_NaN()); });
     refused("not a number", [](Bytes &b) { b.heights(2, 2, 2, 0, std::numeric_limits<dReal>::quiet_NaN()); });
-    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 4); });
-    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 1, 2); });
-    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 0, 1); });
+    refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 4); });
+    refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 1, 2); });
+    refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 0, 1); });
     refused("does not exist", [](Bytes &b) { b.event(RecordKind::notices, {2, 1}); });
     refused("too many notices", [](Bytes &b) { b.event(RecordKind::notices, {1, most_notices + 1}); });
     refused("too long for its content", [](Bytes &b) { b.event(RecordKind::notices, {1}); });
