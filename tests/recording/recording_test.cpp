@@ -250,7 +250,7 @@ TEST(Recording, TakesAFileOfTheFirstVersion)
     EXPECT_EQ(complaint(bytes, 0), "");
     EXPECT_EQ(Recording(bytes.bytes()).version(), 1u);
     expect_refused(
-        bytes, [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); }, "longer");
+        bytes, [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); }, "too long for its content");
     bytes.heights(2, 2);
     expect_refused(
         bytes, [](Bytes &b) { b.geom(2, dHeightfieldClass, 1); }, "version 1");
@@ -370,7 +370,7 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("too short for its content", [](Bytes &b) { b.event(RecordKind::mesh, {0, 0xffffff00, 0xffffffff, 0}); });
     refused("corners", [](Bytes &b) { b.convex(2, 0); });
     refused("corners", [](Bytes &b) { b.convex(0xffffffff, 0); });
-    refused("no point", [](Bytes &b) { b.convex(3, 3); });
+    refused("not a point", [](Bytes &b) { b.convex(3, 3); });
     refused("not described", [](Bytes &b) {
         b.begin(RecordKind::body).number<std::uint32_t>(0).number<std::uint16_t>(1).number<std::uint8_t>(1).end();
     });

@@ -31,7 +31,8 @@ template <class Number> void read(std::string_view word, Number &number)
 {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number))
-        throw std::invalid_argument("\"" + std::string(word) + "\" is not a finite number of the expected kind");
+        throw std::invalid_argument("\"" + std::string(word) +
+                                    "\" is not a number of the expected kind, or it is not finite");
 }
 
 std::optional<std::string_view> after(std::string_view mark, std::string_view line)
