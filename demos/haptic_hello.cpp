@@ -74,9 +74,8 @@ bool press(dSpaceID space, haptics::LoopClock *clock)
         dWorldQuickStep(world, dt);
         dJointGroupEmpty(contacts);
         if (++ticks % 100 == 0)
-            std::printf("%.1f s: the probe at %.4f m %s, the hand feels %.2f N\n", ticks * dt,
-                        sphere.tool().position.z(), sphere.touches().empty() ? "touches nothing" : "touches the box",
-                        sphere.last_tick().force.z());
+            std::printf("%.1f s: the probe at %.4f m %s, the force is %.2f N\n", ticks * dt, sphere.tool().position.z(),
+                        sphere.touches().empty() ? "touches nothing" : "touches the box", sphere.last_tick().force.z());
     };
     const haptics::LoopReport report = loop.run(work);
     std::printf("%d ticks at %.0f Hz, %d late\n", static_cast<int>(report.ticks), report.rate,

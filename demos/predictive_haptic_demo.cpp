@@ -39,7 +39,7 @@ std::string what_a_window_lacks()
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     return window::has_display() ? "" : "there is no display with OpenGL";
 #else
-    return "this build has none; CMake said what was missing";
+    return "this build has none, as something was missing that CMake named";
 #endif
 }
 
@@ -97,7 +97,7 @@ ExitStatus run_demo(const Options &options)
     const std::string lack = options.headless ? "" : what_a_window_lacks();
     const bool in_window = !options.headless && !options.compare && lack.empty();
     if (!options.screenshot_file.empty() && !in_window)
-        throw std::runtime_error("no screenshot without a window: " + lack);
+        throw std::runtime_error("--screenshot needs a window: " + lack);
     if (options.compare || (!in_window && !options.wants_one_run))
     {
         if (!lack.empty() && !options.compare)

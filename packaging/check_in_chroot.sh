@@ -20,7 +20,7 @@ list_files() {
 
 # Lists the packages on which a package of a program would depend, by dpkg-shlibdeps.
 list_dependencies() {
-    say 'What a package with the programs would depend on'
+    say 'The dependencies that a package with the programs would have'
     mkdir -p "$chroot/tmp/program/debian"
     printf 'Source: program\n\nPackage: program\nArchitecture: any\n' >"$chroot/tmp/program/debian/control"
     inside sh -c 'cd /tmp/program && dpkg-shlibdeps -O -e/tmp/programs/consumer/consumer_c \
@@ -41,7 +41,7 @@ check_licences() {
 
 # Runs the tests that the source package has for installed packages (autopkgtest).
 test_installed() {
-    say 'Programs, built with the packages by CMake and by pkg-config, and the launcher'
+    say 'Building programs with the packages by CMake and by pkg-config, and running the launcher'
     mount --bind /proc "$chroot/proc" # the tool finds its libraries from its own path
     trap 'umount "$chroot/proc"' EXIT
     inside sh -c 'mkdir /tmp/programs && cd /tmp/sources && AUTOPKGTEST_TMP=/tmp/programs packaging/debian/tests/programs'
@@ -57,14 +57,14 @@ cp "$packages"/*.deb "$chroot/tmp/packages"
 install_in_chroot g++ dpkg-dev cmake ninja-build pkg-config libode-dev libeigen3-dev
 list_files >"$3/before"
 
-say 'Installing'
+say 'Installing the packages'
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/packages/*.deb' >/dev/null
 list_files | comm -13 "$3/before" - >"$3/installed"
 check_licences
 test_installed
 list_dependencies
-say 'Removing'
+say 'Removing the packages'
 inside sh -c "apt-get -q purge --yes --auto-remove '^libode-predictive-space.*'" >/dev/null
 list_files | diff "$3/before" -
-say "$(wc -l <"$3/installed") files and folders were installed, and none is left"
+say "$(wc -l <"$3/installed") files and folders were installed, and all of them were removed"
 rm -rf "$chroot"

@@ -11,7 +11,7 @@ chroot=$3/$suite
 . "$(dirname "${BASH_SOURCE[0]}")/chroot.sh"
 
 make_packages() {
-    say "The packages, which lintian judges"
+    say "Building the packages and checking them by lintian"
     install_in_chroot build-essential debhelper dpkg-dev lintian libspnav-dev libx11-dev
     inside /tmp/sources/packaging/make_debian_packages.sh /tmp/sources /tmp/packages >"$chroot/tmp/packages.log" 2>&1 ||
         { tail -n 40 "$chroot/tmp/packages.log" && return 1; }

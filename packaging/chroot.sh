@@ -4,7 +4,7 @@
 # shellcheck shell=bash disable=SC2154 # chroot is the caller's
 
 ((EUID == 0)) || {
-    echo "A new Debian in a folder needs root" >&2
+    echo "Setting up a new Debian in a folder needs root: run this command as root" >&2
     exit 2
 }
 
@@ -38,7 +38,7 @@ apt_options() {
 make_chroot() {
     local options
     mapfile -t options < <(apt_options)
-    say "A new Debian: $1"
+    say "Setting up a new Debian: $1"
     rm -rf "$chroot"
     mkdir -p "$(dirname "$chroot")"
     entries "$1" | mmdebstrap --quiet --variant=apt --include=ca-certificates "${options[@]}" "$1" "$chroot" -
@@ -55,7 +55,7 @@ copy_sources() { copy_source_files "$1" "$chroot/tmp/sources"; }
 # installs them into a prefix beside the build. Warnings are errors, also CMake's. Many files are compiled as one, to save time.
 build_with() {
     local said=$chroot/tmp/configuring
-    say "The sources, built by $3 with libode-dev alone"
+    say "Building the sources by $3 with libode-dev alone"
     inside cmake -S /tmp/sources -B "/tmp/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$2" \
         -DCMAKE_CXX_COMPILER="$3" -DODE_PREDICTIVE_SPACE_BUILD_TESTS=OFF -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
         -DODE_PREDICTIVE_SPACE_WARNINGS_AS_ERRORS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD=ON \
@@ -76,7 +76,7 @@ build_consumers() {
 
 # test_contract [options of cmake]: runs the tests of the promises to programs.
 test_contract() {
-    say 'The tests of the contract'
+    say 'Building and running the tests of the contract'
     install_in_chroot libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
     inside cmake -S /tmp/sources -B /tmp/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
         -DODE_PREDICTIVE_SPACE_BUILD_TESTS=ON "$@" >/dev/null

@@ -108,7 +108,7 @@ void print_verdict(std::ostream &out, const WorldRuns &runs)
     const double ratio = median_collide_time(*best) / median_collide_time(*ours);
     out << "The gain is the share of the other space's time that " << ours->name()
         << " saves, by the medians: (T_other - T) / "
-           "T_other. Below zero, the other one is faster.\n"
+           "T_other. A negative gain means that the other space is faster.\n"
         << "By the medians, the predictive space "
         << (ratio >= 1 ? "was " + fixed(ratio, 1) + " times as fast as"
                        : "took " + fixed(1 / ratio, 1) + " times as long as")
@@ -136,8 +136,8 @@ void print_probe(std::ostream &out, const WorldRun &run)
     out << "The probe touched " << log.touched.size() << (log.touched.size() == 1 ? " object" : " objects") << ", in "
         << grouped(log.ticks_in_touch) << " of " << grouped(run.ticks()) << " ticks";
     if (log.ticks_in_touch > 0)
-        out << "; it felt " << fixed(log.force_sum / static_cast<double>(log.ticks_in_touch), 1) << " N on average, "
-            << fixed(log.max_force, 1) << " N at most";
+        out << "; the force was " << fixed(log.force_sum / static_cast<double>(log.ticks_in_touch), 1)
+            << " N on average, " << fixed(log.max_force, 1) << " N at most";
     out << ".\n";
 }
 
@@ -145,7 +145,7 @@ void print_false_pairs(std::ostream &out, const WorldRun &run)
 {
     if (run.false_pairs() > 0)
         out << "(The " << long_name(run) << " space also reported " << grouped(run.false_pairs())
-            << " pairs whose boxes are apart, as it rounds one axis to single precision. They are not counted.)\n";
+            << " pairs whose boxes are apart, because it rounds one axis to single precision. They are not counted.)\n";
 }
 
 std::vector<const WorldRun *> exact_runs(const WorldRuns &runs)
@@ -167,7 +167,7 @@ void print_agreement(std::ostream &out, const WorldRuns &runs)
     const int tick = first_difference(runs);
     if (tick >= 0)
     {
-        out << "THE SPACES DISAGREE: from tick " << tick << " on they did not all report the same pairs.\n";
+        out << "THE SPACES DISAGREE: from tick " << tick << " on, they did not all report the same pairs.\n";
         for (const WorldRun *run : exact)
             out << "  " << long_name(*run) << ": hash of the pairs " << hexadecimal(run->pair_hash()) << '\n';
         return;
@@ -215,7 +215,7 @@ std::string faster_variant_text(const std::string &variant, double variant_time,
            " % less time in " + variant + " than in " + first +
            ": there are fewer calls of dCollide(). dPredictiveSpaceSetProximity(space, dPredictiveProximity" +
            static_cast<char>(std::toupper(measure[0])) + measure.substr(1) +
-           ") sets it; docs/tuning.md says when it pays.\n";
+           ") selects it; docs/tuning.md says when it saves time.\n";
 }
 
 void print_introduction(std::ostream &out, const WorldSpec &spec, int ticks, std::size_t spaces)
@@ -223,7 +223,7 @@ void print_introduction(std::ostream &out, const WorldSpec &spec, int ticks, std
     out << grouped(static_cast<std::uint64_t>(spec.objects))
         << " objects in a room: spheres, boxes, capsules and triangle meshes; half of them still, half "
            "floating.\n"
-           "A simulated hand moves a probe among them, which feels and pushes what it touches.\n"
+           "A simulated hand moves a haptic probe among them; the probe pushes what it touches.\n"
         << grouped(static_cast<std::uint64_t>(ticks)) << " ticks of 1 ms, stepped by dWorldQuickStep(), seed "
         << spec.seed;
     out << (spaces > 1 ? "; the same motion in each of " + std::to_string(spaces) + " spaces, alternating.\n" : ".\n");

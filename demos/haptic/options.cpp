@@ -52,29 +52,29 @@ void declare_scene_options(CLI::App &app, Options &options)
 void declare_probe_options(CLI::App &app, Options &options)
 {
     app.add_option("--device", options.device,
-                   "What moves the probe and feels the force: " + joined(haptics::device_names()))
+                   "What moves the probe and renders the force: " + joined(haptics::device_names()))
         ->capture_default_str();
     app.add_option("--law", options.law,
                    "How a touch becomes a force: proxy (god object) or penalty (F = k d n for each object); a replay "
-                   "has that of "
-                   "the recording")
+                   "uses that of the recording")
         ->check(CLI::IsMember({"penalty", "proxy"}))
         ->capture_default_str();
-    app.add_option("--stiffness", options.stiffness, "Stiffness of touched objects, as felt by the hand, in N/m")
+    app.add_option("--stiffness", options.stiffness, "Stiffness of touched objects, at the hand, in N/m")
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
-    app.add_option("--damping", options.damping, "Damping of touched objects, as felt by the hand, in N s/m")
+    app.add_option("--damping", options.damping, "Damping of touched objects, at the hand, in N s/m")
         ->check(CLI::Range(0.0, 1e4))
         ->capture_default_str();
     app.add_option("--friction", options.friction, "Coulomb's coefficient between the probe and what it touches")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
     app.add_flag("--decoupled", options.decoupled,
-                 "Run the servo in a thread of its own; always so in scenes with steps longer than 1 ms");
+                 "Run the servo in its own thread; always so in scenes with steps longer than 1 ms");
     app.add_flag(
         "--fast", options.fast,
         "Do not wait for the clock: time is simulated, and the same options give the same forces to the last bit");
-    app.add_option("--rate", options.rate, "Rate of a servo with a thread of its own, in Hz (default: 1000)")
+    app.add_option("--rate", options.rate,
+                   "Rate of a servo in its own thread, in Hz; this option implies --decoupled (default: 1000)")
         ->check(CLI::Range(100.0, 10000.0));
 }
 
@@ -82,16 +82,17 @@ void declare_output_options(CLI::App &app, Options &options)
 {
     app.add_option("--record", options.record_file, "Write the motion and the forces of the device to this file")
         ->type_name("FILE");
-    app.add_option("--replay", options.replay_file, "The same as --device replay:FILE, and compare the forces")
+    app.add_option("--replay", options.replay_file,
+                   "As --device replay:FILE; also compare the forces with the recorded ones")
         ->type_name("FILE");
     app.add_option("--json", options.json_file, "Also write the results to this file")->type_name("FILE");
     app.add_option("--report", options.report_folder, "Write a page with plots of the run, index.html, to this folder")
         ->type_name("DIR");
     app.add_flag("--headless", options.headless, "Open no window");
     app.add_flag("--compare", options.compare,
-                 "Run the scene mix in several spaces, alternating, and compare their cost");
+                 "Run the scene mix in several spaces, which alternate, and compare their times");
     app.add_option("--screenshot", options.screenshot_file,
-                   "Write a picture of the window to this file, as PNG, and end, unless --seconds is given")
+                   "Write a picture of the window to this file, as PNG, and end the run unless --seconds is given")
         ->type_name("FILE");
     app.add_option("--at", options.screenshot_time, "When to take the picture, in simulated seconds")
         ->check(CLI::Range(0.0, 3600.0))
@@ -116,31 +117,33 @@ void complete(Options &options, const CLI::App &app)
         {
             options.wants_one_run = true;
             if (options.compare || options.spaces.size() > 1)
-                throw std::invalid_argument(std::string(name) + " has no meaning when spaces are compared");
+                throw std::invalid_argument(
+                    std::string(name) + " cannot be used when spaces are compared: give one --space and no --compare");
         }
     }
     options.law_given = given("--law");
     options.compare = options.compare || options.spaces.size() > 1;
     options.wants_one_run = options.wants_one_run || (!options.compare && options.spaces.size() == 1);
     if (options.headless && given("--screenshot"))
-        throw std::invalid_argument("--screenshot needs a window, and --headless asks for none");
+        throw std::invalid_argument("--screenshot needs a window, which --headless excludes: leave one of them out");
     if (given("--replay"))
     {
         if (given("--device"))
-            throw std::invalid_argument("--replay and --device both say what moves the probe");
+            throw std::invalid_argument("--replay and --device both say what moves the probe: leave one of them out");
         options.device = "replay:" + options.replay_file;
     }
     if (given("--screenshot") && options.seconds > 0 && options.seconds < options.screenshot_time)
-        throw std::invalid_argument("the run ends before the time of the screenshot");
+        throw std::invalid_argument("the run ends before the screenshot: --seconds must not be less than --at");
 }
 } // namespace
 
 std::optional<int> parse_command_line(int argc, char **argv, Options &options)
 {
     CLI::App app(
-        "Runs a probe among still and moving objects, which feels and pushes what it touches, in a window if there is "
-        "a display.\nWith --compare, with several spaces, or without a window and without any option for the probe it "
-        "compares the predictive space with ODE's own spaces.\n"
+        "Runs a haptic probe among still and moving objects, in a window if there is a display; the probe pushes what "
+        "it touches.\nWith --compare, with several spaces, or without a window and without any option for the probe, "
+        "the "
+        "program compares the predictive space with ODE's own spaces.\n"
         "Exit status: 0; 1 when compared spaces did not report the same pairs; 2 after another failure.");
     declare_options(app, options);
     try

@@ -48,7 +48,7 @@ Plot period_plot(const RunResult &result)
 
 Plot contacts_plot(const RunResult &result)
 {
-    Curve warnings{"lead time: listed so long before the contact", {}, Curve::Style::dots};
+    Curve warnings{"lead time: from the listing to the contact", {}, Curve::Style::dots};
     Curve delays{"contact after its predicted time of proximity", {}, Curve::Style::dots};
     Curve surprises{"contact that was not predicted", {}, Curve::Style::dots};
     for (const LoggedContact &contact : result.contacts)

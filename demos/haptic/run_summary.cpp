@@ -34,7 +34,7 @@ void print_loop(std::ostream &out, const Options &options, const haptics::LoopRe
         out << ", " << grouped(loop.steps) << " steps of the scene";
     if (options.fast)
     {
-        out << "; time was simulated: it has no periods\n";
+        out << "; time is simulated, so there are no periods\n";
         return;
     }
     out << "; real-time factor " << fixed(loop.real_time_factor, 3) << '\n';
@@ -47,7 +47,7 @@ void print_loop(std::ostream &out, const Options &options, const haptics::LoopRe
                              << percent(static_cast<double>(loop.overruns), static_cast<double>(loop.ticks))
                              << " of the ticks too long\n";
     if (loop.dropped_steps > 0)
-        line(out, "") << grouped(loop.dropped_steps) << " steps dropped, as the scene was too far behind\n";
+        line(out, "") << grouped(loop.dropped_steps) << " steps of the scene dropped, as it was too late\n";
     line(out, "Scheduling") << loop.scheduling << '\n';
 }
 
@@ -73,7 +73,7 @@ void print_force(std::ostream &out, const RunResult &result)
             << " of the ticks, " << fixed(servo.force_sum / static_cast<double>(servo.ticks_with_force), 2)
             << " N on average, " << fixed(servo.max_force, 2) << " N at most";
         if (result.loop.saturated > 0)
-            out << "; more than the device can render in "
+            out << "; the device could not render all of it in "
                 << percent(static_cast<double>(result.loop.saturated), static_cast<double>(servo.ticks));
     }
     out << '\n';
@@ -86,7 +86,7 @@ void print_safety(std::ostream &out, const RunResult &result)
 {
     if (result.safety_notices > 0)
         line(out, "Safety") << grouped(result.safety_notices) << (result.safety_notices == 1 ? " notice" : " notices")
-                            << " that the loop hung or did not keep up; the force was reduced or taken away\n";
+                            << " that the loop hung or was late; the force was reduced or removed\n";
 }
 
 void print_encounters(std::ostream &out, const RunResult &result)
@@ -110,10 +110,10 @@ void print_recordings(std::ostream &out, const Options &options, const RunResult
         line(out, "Replay") << grouped(result.replayed_ticks) << " ticks: ";
         if (error.max == 0)
         {
-            out << "the forces are those recorded, to the last bit\n";
+            out << "the forces equal the recorded ones to the last bit\n";
             return;
         }
-        out << "forces differ from those recorded by " << fixed(error.rms, 4) << " N (root mean square), "
+        out << "the forces differ from the recorded ones by " << fixed(error.rms, 4) << " N (root mean square), "
             << fixed(error.max, 4) << " N at most\n";
     }
 }

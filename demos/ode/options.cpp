@@ -15,7 +15,7 @@ Options read_options(int argc, char **argv)
         if (name != "-probe" && name != "-keys" && name != "-headless")
             continue;
         if (++i >= argc)
-            throw std::invalid_argument(name + " takes a value");
+            throw std::invalid_argument(name + " needs a value");
         if (name == "-probe")
             options.device = argv[i];
         else if (name == "-keys")

@@ -1,6 +1,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CHECK_WRITABLE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CHECK_WRITABLE_H
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -14,8 +16,9 @@ namespace ode_predictive_space::worlds
 inline void check_writable(const std::string &file)
 {
     const bool existed = std::filesystem::exists(file);
+    errno = 0;
     if (!std::ofstream(file, std::ios::app))
-        throw std::runtime_error("cannot write " + file);
+        throw std::runtime_error(file + " cannot be written: " + std::strerror(errno ? errno : EIO));
     if (!existed)
         std::filesystem::remove(file);
 }

@@ -2,6 +2,8 @@
 
 #include "demos/runs/table.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -29,10 +31,11 @@ nlohmann::json record_of(const WorldRun &run, const WorldSpec &spec)
 
 void write_json(const std::string &file, const nlohmann::json &value)
 {
+    errno = 0;
     std::ofstream out(file);
     out << value.dump(2) << '\n';
     out.close();
     if (!out)
-        throw std::runtime_error("cannot write " + file);
+        throw std::runtime_error(file + " cannot be written: " + std::strerror(errno ? errno : EIO));
 }
 } // namespace ode_predictive_space::worlds

@@ -34,8 +34,8 @@ if(NOT ODE_SOURCE_DIR)
 endif()
 
 if(NOT EXISTS "${ODE_SOURCE_DIR}/ode/src/collision_kernel.h" OR NOT EXISTS "${ODE_SOURCE_DIR}/configure.ac")
-    message(FATAL_ERROR "There is no source of ODE in ODE_SOURCE_DIR (${ODE_SOURCE_DIR}). It may be empty: the libraries "
-                        "need no source.")
+    message(FATAL_ERROR "There is no source of ODE in ODE_SOURCE_DIR (${ODE_SOURCE_DIR}). The libraries do not need it: "
+                        "ODE_SOURCE_DIR may be empty.")
 endif()
 file(STRINGS "${ODE_SOURCE_DIR}/configure.ac" ODE_SOURCE_VERSION REGEX "^AC_INIT")
 string(REGEX REPLACE "^AC_INIT\\(\\[?ODE\\]?, *\\[?([0-9.]+).*" "\\1" ODE_SOURCE_VERSION "${ODE_SOURCE_VERSION}")

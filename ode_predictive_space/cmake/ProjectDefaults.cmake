@@ -11,7 +11,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
             CACHE STRING "Build type" FORCE)
     else()
         message(WARNING "Without CMAKE_BUILD_TYPE, ode_predictive_space is compiled without optimisation and is several times "
-                        "as slow. -DCMAKE_BUILD_TYPE=Release is what it is measured with.")
+                        "as slow. Its figures were measured with -DCMAKE_BUILD_TYPE=Release.")
     endif()
 endif()
 

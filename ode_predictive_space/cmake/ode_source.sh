@@ -3,7 +3,8 @@
 
 ode_version() {
     local version
-    version=$(pkg-config --modversion ode 2>/dev/null) || fail "the Open Dynamics Engine is not installed"
+    version=$(pkg-config --modversion ode 2>/dev/null) ||
+        fail "pkg-config does not find the Open Dynamics Engine: install libode-dev, or set PKG_CONFIG_PATH to its ode.pc"
     printf '%s' "$version"
 }
 
@@ -43,7 +44,7 @@ END
 fetch_ode_source() {
     local package work
     package=$(dpkg-query --show --showformat '${source:Package}=${source:Version}' libode-dev 2>/dev/null) ||
-        fail "libode-dev is not installed as a package: point ODE_SOURCE_DIR to the source of your ODE"
+        fail "libode-dev is not installed as a package: set ODE_SOURCE_DIR to the folder of your ODE's source"
     say "Fetching the source of ODE (${package#*=})"
     mkdir -p "$(dirname "$1")"
     work=$(mktemp --directory --tmpdir="$(dirname "$1")")
@@ -54,7 +55,7 @@ fetch_ode_source() {
     write_apt_settings "$work"
     apt-get --config-file "$work/apt.conf" --quiet update >&2
     (cd "$work/source" && apt-get --config-file "$work/apt.conf" --quiet --only-source source "$package" >&2) ||
-        fail "apt has no source package $package: unpack it yourself and point ODE_SOURCE_DIR to it"
+        fail "apt has no source package $package: unpack the source yourself and set ODE_SOURCE_DIR to its folder"
     mv "$work"/source/*/ "$1"
     rm -rf "$work"
     trap - EXIT
@@ -68,7 +69,7 @@ find_ode_source() {
     fi
     ode_source="$top/build/ode-source/ode-$(ode_version)"
     if [[ ! -d $ode_source ]]; then
-        has apt-get || fail "unpack the source of ODE $(ode_version) and point ODE_SOURCE_DIR to it"
+        has apt-get || fail "there is no apt-get: unpack the source of ODE $(ode_version) and set ODE_SOURCE_DIR to its folder"
         fetch_ode_source "$ode_source"
     fi
 }
@@ -79,7 +80,7 @@ want_ode_source() {
         find_ode_source
     else
         ode_source=
-        say "Going on without ODE's source: no window for the demo, and no tests that need the source"
+        say "Continuing without ODE's source: the demo has no window, and tests that need the source are left out"
     fi
 }
 
@@ -94,7 +95,7 @@ build_ode() {
     need library
     find_ode_source
     log="$prefix/build.log"
-    say "Building ODE with $*; what the build says is in $log"
+    say "Building ODE with $*; the output of the build is in $log"
     rm -rf "$prefix"
     mkdir -p "$prefix"
     # The build uses a copy: the source package has configured headers, which a build beside it would find first.

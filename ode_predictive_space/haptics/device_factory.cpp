@@ -45,6 +45,6 @@ std::unique_ptr<Device> make_device(const std::string &name, std::uint64_t seed)
     std::string names;
     for (const std::string &known : device_names())
         names += (names.empty() ? "" : ", ") + known;
-    throw std::invalid_argument("no device is called \"" + name + "\"; there are: " + names);
+    throw std::invalid_argument("no device is called \"" + name + "\"; the names are: " + names);
 }
 } // namespace ode_predictive_space::haptics

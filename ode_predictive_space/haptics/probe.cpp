@@ -75,7 +75,7 @@ public:
         if (!is_same(possible, coupling) && !std::exchange(notified_of_light_tool, true) && sink)
         {
             sink(Notice(NoticeKind::stability, renderer.last_tick().time,
-                        "The coupling is softer or less damped than asked for: the tool's body is too light for it."));
+                        "The coupling is softer or less damped than requested, as the tool's body is too light."));
         }
         return possible;
     }
@@ -95,7 +95,8 @@ public:
     void notify_if_gone()
     {
         if (sensor && sensor->is_gone())
-            notify_of_loss("No force: the probe's geom was destroyed with its space. The probe has to go first.");
+            notify_of_loss(
+                "No force: the probe's geom was destroyed with its space. Destroy the probe before the space.");
     }
 
     void notify_of_loss(std::string_view sentence) { notify_once(notified_of_loss, sentence); }
@@ -151,7 +152,7 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
     parts_->coupling = coupling;
     parts_->renderer.check(parts_->coupling);
     if (tool == nullptr)
-        throw std::invalid_argument("The virtual coupling needs a body to hold");
+        throw std::invalid_argument("The virtual coupling needs a tool body");
     parts_->tool_watch.keep(tool);
 }
 
@@ -175,7 +176,7 @@ void HapticProbe::take(std::shared_ptr<ActiveRun> run)
 {
     with_lock(parts_->run_mutex, [&] {
         if (parts_->run)
-            throw std::logic_error("Another haptic loop runs the probe");
+            throw std::logic_error("Another haptic loop uses the probe");
         parts_->run = std::move(run);
     });
 }

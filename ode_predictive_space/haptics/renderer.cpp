@@ -115,13 +115,12 @@ public:
             ++tick.tool_jumps;
             restart();
             notices.notify_once_a_second(topic_jump, NoticeKind::device,
-                                         "No force until the probe is free: the device's position has jumped.");
+                                         "No force until the probe is free, as the device's position has jumped.");
         }
         if (news.came_back)
             news.only_doubted ? safety.restart_ramp() : restart();
         if (news.had_failed)
-            notices.notify(NoticeKind::device,
-                           link.capabilities().name + " answers again; the force comes back slowly.");
+            notices.notify(NoticeKind::device, link.capabilities().name + " answers again; the force grows slowly.");
         if (news.was_away)
             ++tick.tool_jumps;
         workspace.move_clutch(is_held(settings.clutch_button, tick.state), tick.state);
@@ -141,7 +140,7 @@ public:
             requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
             notices.notify_once_a_second(
                 topic_contact, NoticeKind::contact,
-                "No force: a contact of the probe, or the velocity of what it touches, is not a number.");
+                "No force: a contact of the probe, or the velocity of a touched body, is not a number.");
         }
         const Vector3 given = write(requested, dt).force;
         touched.give(given);
@@ -163,7 +162,7 @@ public:
         {
             notices.notify_once_a_second(
                 topic_material, NoticeKind::stability,
-                "A material is softer or less damped than asked for: the device cannot render more.");
+                "A material is softer or less damped than requested, as the device cannot render more.");
         }
     }
 

@@ -136,14 +136,15 @@ const Ode *introduce(Ode *ode, Match match, Attach attach)
     if (ode_count == most_odes)
         std::abort();
     if (match == Match::other_precision)
-        say("the ODE of this program (%s) has another precision (dSINGLE, dDOUBLE) than this was built for; "
-            "the program keeps its own spaces",
+        say("the ODE of this program (%s) has another precision (dSINGLE, dDOUBLE) than the one that the launcher was "
+            "built for; the program keeps its own spaces",
             file_of(*ode));
     else if (match == Match::other_library)
-        say("the ODE of this program (%s) is not %s, which this was built for; the program keeps its own spaces",
+        say("the ODE of this program (%s) is not %s, which the launcher was built for; the program keeps its own "
+            "spaces",
             file_of(*ode), ODE_SONAME);
     else if (!attach)
-        say("%s; the program keeps its own spaces", dlerror());
+        say("a library of the launcher cannot be loaded: %s; the program keeps its own spaces", dlerror());
     else
         ode->hooks = attach(&ode->calls);
     if (ode->hooks)
@@ -212,7 +213,9 @@ const Ode *ode_seen_by(const char *function, const link_map *map)
 // The dynamic linker, too, ends a program that calls a function which no library defines.
 [[noreturn]] void end_for_lack_of(const char *function)
 {
-    say("%s() was called, but the process has no ODE, or several, and it is unclear which is meant", function);
+    say("%s() was called, but the process has no ODE, or it has several and the call could be for any of them; the "
+        "program ends",
+        function);
     std::exit(127);
 }
 
@@ -394,7 +397,8 @@ __attribute__((constructor)) void look_at_program()
 __attribute__((destructor)) void tell_when_nothing_was_caught()
 {
     if (ode_count == 0 && is_asked_for("ODE_PREDICTIVE_STATS") && find_loaded(ODE_SONAME).map)
-        say("%s has %s, but made no space that can be seen", program_invocation_short_name, ODE_SONAME);
+        say("%s has loaded %s, but no call that makes a space or collides one was seen; there are no statistics",
+            program_invocation_short_name, ODE_SONAME);
 }
 } // namespace
 

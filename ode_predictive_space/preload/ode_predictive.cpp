@@ -1,7 +1,9 @@
 // The tool ode-predictive: runs programs with predictive spaces, replays what was recorded of them, and says what they would gain.
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <sstream>
@@ -22,37 +24,37 @@ namespace
 {
 constexpr char about_run[] =
     R"(
-The program uses the Open Dynamics Engine (ODE). It does not notice: its spaces have the class that it asked for, and its near
+The program uses the Open Dynamics Engine (ODE) and is not changed: its spaces have the class that it asked for, and its near
 callback gets the pairs that dSimpleSpace would report, in another order.
 
-Each option but --report sets an environment variable, which the programs that PROGRAM starts inherit, and which can be set
-without this tool: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND, ODE_PREDICTIVE_STATS=1 or FILE,
+Each option but --report sets an environment variable. The programs that PROGRAM starts inherit it, and it can be set without
+this tool: ODE_PREDICTIVE_SPACE=LIST, ODE_PREDICTIVE_PROXIMITY=KIND, ODE_PREDICTIVE_STATS=1 or FILE,
 ODE_PREDICTIVE_TRACE=FILE, ODE_PREDICTIVE_RECORD=FILE, ODE_PREDICTIVE_RECORD_LIMIT=N; and LD_PRELOAD, the path of
 libode_predictive_space_preload.so.
 
-PROGRAM takes the tool's place. With --report the tool stays until PROGRAM has ended, and passes signals on to it. Each process
-writes its statistics when it exits; one that has no shared library of ODE, or that a signal or _exit() ends, writes none. A
-recording is kept in any case.
+PROGRAM replaces the tool in its process. With --report the tool stays until PROGRAM has ended, and passes signals on to it.
+Each process writes its statistics when it exits; one that has no shared library of ODE, or that a signal or _exit() ends,
+writes none. A recording is kept in any case.
 
-The program must use the shared library of ODE that this was built for. Others keep their own spaces, and a line on standard
-error says why: an ODE of another precision or layout, a second copy in the process, an ODE built into the program. An ODE
-inside a program without symbols is not seen and not replaced. LD_PRELOAD has no effect on set-user-ID programs and on
-statically linked ones.
+The program must use the shared library of ODE that this tool was built for. Others keep their own spaces, and a line on
+standard error gives the reason: an ODE of another precision or layout, a second copy in the process, an ODE built into the
+program. An ODE inside a program without symbols is neither found nor reported. LD_PRELOAD has no effect on set-user-ID programs
+and on statically linked ones.
 
 Exit status: the program's, also when a signal ended it; 2 for a wrong option, and instead of 0 when the page of --report could
 not be written; 126 or 127 when the program cannot be started. Output that cannot be written is reported by a line on standard
-error; statistics that FILE does not take go there.)";
+error; statistics that cannot be written to FILE are written there.)";
 
 constexpr char about_replay[] =
     R"(
 An event is a dSpaceCollide() or a dSpaceCollide2(). Instructions are counted by valgrind where it is installed. By sphere and by
-shape, pairs are left out; then dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
-said. A recording that is cut, as when the program was killed, is replayed up to its last whole record, and a line says where
-that is.
+shape, pairs are left out; dCollide() must find no contact in any of them. ODE's own spaces may end by an assertion, which is
+reported. A recording that is cut, for example because the program was killed, is replayed up to its last whole record, and a
+line says where that is.
 
 Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for a wrong option, for a file without a whole
-record, and for one that is no recording or contradicts itself, which a line on standard error says, with the offset of the
-byte.)";
+record, and for one that is not a recording or contradicts itself: a line on standard error gives the reason and the offset of
+the byte.)";
 
 // Checks a list of classes of spaces. Returns what is wrong with it, or nothing.
 std::string wrong_name_in(const std::string &list)
@@ -61,7 +63,7 @@ std::string wrong_name_in(const std::string &list)
     for (std::string name; std::getline(names, name, ',');)
         if (!preload::is_name_of_spaces(name))
             return "'" + name + "' is not hash, quadtree, sap, simple, all or none";
-    return list.empty() ? "a list is missing" : "";
+    return list.empty() ? "the list is empty" : "";
 }
 
 void add_run(CLI::App &tool, preload::RunOptions &options)
@@ -71,7 +73,7 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
                                    "ode-predictive run [OPTIONS] PROGRAM [ARGUMENT...]");
     run->add_option("--space", options.spaces,
                     "Which spaces are replaced: hash, quadtree, sap, simple, separated by commas; all; none (default: "
-                    "hash,quadtree,sap; simple ones are what programs use for tiny groups)")
+                    "hash,quadtree,sap; programs use simple ones for tiny groups)")
         ->type_name("LIST")
         ->check(wrong_name_in);
     run->add_option(
@@ -86,16 +88,16 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
         "it took");
     run->add_option(
            "--report", options.report_folder,
-           "At the end, write a page that says what the program would gain, DIR/index.html. For it the program is "
-           "recorded, up to 64 MB in DIR/recording.odehist, and the recording replayed")
+           "At the end, write a page that says what the program would gain, DIR/index.html. For this, the program is "
+           "recorded, up to 64 MB in DIR/recording.odehist, and the recording is replayed")
         ->type_name("DIR");
-    run->add_option(
-           "--record", options.record_file,
-           "Record what the program tells its spaces and asks them, for `ode-predictive replay FILE`; each further "
-           "process that collides gets a file of its own, FILE.<its number>")
+    run->add_option("--record", options.record_file,
+                    "Record the changes in the program's spaces and the collides, for `ode-predictive replay FILE`; "
+                    "each further process that collides gets its own file, FILE.<its number>")
         ->type_name("FILE");
-    run->add_option("--record-limit", options.record_limit,
-                    "Bytes of a recording, as 100M; there it ends, at the end of a collide (default: 256M)")
+    run->add_option(
+           "--record-limit", options.record_limit,
+           "Largest size of a recording in bytes, such as 100M; it ends there, after a whole collide (default: 256M)")
         ->type_name("N");
     run->add_option(
            "--trace", options.trace_file,
@@ -110,37 +112,39 @@ void add_run(CLI::App &tool, preload::RunOptions &options)
 void add_replay(CLI::App &tool, recording::ReplayOptions &options)
 {
     CLI::App *replay = tool.add_subcommand(
-        "replay",
-        "Replay a recording in spaces of every kind: do they find the same pairs, how many instructions do they take?");
+        "replay", "Replay a recording in spaces of every kind, compare their pairs, and count their instructions");
     std::vector<std::string> kinds;
     for (const recording::SpaceKind kind : recording::all_kinds)
         kinds.emplace_back(name_of(kind));
     replay
         ->add_option(
             "--space", options.spaces,
-            "One kind of space; may be given several times. own: of the class that each space had in the program; "
+            "One kind of space; may be given several times. own: the class that each space had in the program; "
             "simple, hash, quadtree, sap: ODE's; box, sphere, shape: predictive (default: all)")
         ->allow_extra_args(false)
         ->check(CLI::IsMember(kinds));
     replay->add_flag("--pairs", options.pairs_alone, "Compare pairs alone, and count no instructions");
     replay
-        ->add_option("--reference", options.reference,
-                     "Compare pairs with those of these spaces (default: simple, which takes long among many thousands "
-                     "of geoms)")
+        ->add_option(
+            "--reference", options.reference,
+            "Compare pairs with those of this kind of space (default: simple, which takes long with many thousands "
+            "of geoms)")
         ->check(CLI::IsMember(kinds));
     replay
         ->add_option("--from", options.events.from,
-                     "The first event whose instructions count, and before it those of its changes")
+                     "Number of the first event whose instructions are counted, with those of the changes before it "
+                     "(default: 0)")
         ->check(CLI::NonNegativeNumber);
-    replay->add_option("--to", options.events.to, "The first event after them")->check(CLI::PositiveNumber);
-    replay->add_option("--every", options.events.every, "Count each Nth of these")->check(CLI::PositiveNumber);
-    replay->add_flag("--contacts", options.events.contacts, "Count also a dCollide() for each callback");
+    replay->add_option("--to", options.events.to, "Number of the first event that is not counted any more")
+        ->check(CLI::PositiveNumber);
+    replay->add_option("--every", options.events.every, "Count each Nth event of these")->check(CLI::PositiveNumber);
+    replay->add_flag("--contacts", options.events.contacts, "Count also one dCollide() per callback");
     replay->add_flag("--whole-life", options.events.whole_life,
-                     "Count also what is before the first event, the making of all geoms, and their end");
+                     "Count also the changes before the first event, the creation of all geoms, and their destruction");
     replay
         ->add_option("--json", options.json_file,
-                     "Write the figures to FILE, too: for each kind of spaces the instructions per event, the pairs "
-                     "of these events, and whether all pairs agree")
+                     "Also write the figures to FILE: for each kind of space the instructions per event, the pairs of "
+                     "these events, and whether all pairs agree")
         ->type_name("FILE");
     replay->add_option("--counted", options.counted)->group(""); // for the process under callgrind
     replay->add_option("FILE", options.file)->required();
@@ -152,7 +156,7 @@ void add_report(CLI::App &tool, std::string &file, std::string &folder)
     CLI::App *report =
         tool.add_subcommand("report", "Write a page, DIR/index.html, that says what a recorded program would gain");
     report->add_option("FILE", file, "The recording")->required();
-    report->add_option("DIR", folder, "A folder, which is made unless it exists")->required();
+    report->add_option("DIR", folder, "The folder for the page; it is made if it does not exist")->required();
 }
 
 // Takes a "--" and what follows out of the words of `run`, where the parser would end the command.
@@ -172,7 +176,7 @@ void take_program(const CLI::App &tool, const std::vector<std::string> &cut, pre
     const bool mark_is_ours = options.command.empty() && !cut.empty();
     options.command.insert(options.command.end(), cut.begin() + (mark_is_ours ? 1 : 0), cut.end());
     if (options.command.empty())
-        throw std::runtime_error("no program is named; --help explains");
+        throw std::runtime_error("no program is named; ode-predictive run --help explains how");
     if (!mark_is_ours && options.command.front()[0] == '-')
         throw std::runtime_error("there is no option '" + options.command.front() + "'; --help lists them");
 }
@@ -239,6 +243,6 @@ int main(int argc, char **argv)
     }
     if (std::fclose(stdout) == 0)
         return status;
-    std::fprintf(stderr, "ode-predictive: standard output cannot be written\n");
+    std::fprintf(stderr, "ode-predictive: standard output cannot be written: %s\n", std::strerror(errno));
     return 2;
 }

@@ -50,9 +50,11 @@ std::string path_of_preload()
     const std::filesystem::path path =
         std::filesystem::weakly_canonical(exists(here / PRELOAD_FILE, none) ? here / PRELOAD_FILE : installed, none);
     if (!exists(path, none))
-        throw Refusal(path.string() + " is missing");
+        throw Refusal(path.string() +
+                      " is missing, without which no space can be replaced: install the launcher again");
     if (path.string().find_first_of(": ") != std::string::npos)
-        throw Refusal("LD_PRELOAD cannot name a file with a space or a colon in its path: " + path.string());
+        throw Refusal("LD_PRELOAD cannot name a file with a space or a colon in its path, as " + path.string() +
+                      ": install the launcher elsewhere");
     return path;
 }
 
@@ -74,8 +76,9 @@ std::string writable(const std::string &file, const std::string &option)
     const bool existed = std::filesystem::exists(path, none);
     if (existed && !std::filesystem::is_regular_file(path, none))
         return path;
+    errno = 0;
     if (!std::ofstream(path, std::ios::app))
-        throw Refusal(option + ": cannot write " + path);
+        throw Refusal(option + ": " + path + " cannot be written: " + std::strerror(errno ? errno : EIO));
     if (!existed)
         std::filesystem::remove(path, none);
     return path;
@@ -89,9 +92,9 @@ std::string recording_file(const std::string &file)
     if (!std::filesystem::exists(path, none))
         return path;
     if (!std::filesystem::is_regular_file(path, none))
-        throw Refusal("--record: " + path + " is no regular file");
+        throw Refusal("--record: " + path + " is not a regular file: name another one");
     if (recording::HistoryFile(path, false).error() == EBUSY)
-        throw Refusal("--record: another program is recording to " + path);
+        throw Refusal("--record: another program is recording to " + path + ": name another file");
     std::filesystem::remove(path, none);
     return path;
 }
@@ -124,7 +127,7 @@ void set_variables(RunOptions &options)
     if (!options.record_file.empty())
         set("ODE_PREDICTIVE_RECORD", options.record_file = recording_file(options.record_file));
     if (!options.record_limit.empty() && bytes_named(options.record_limit) == 0)
-        throw Refusal("--record-limit: '" + options.record_limit + "' is no number of bytes, as 100M");
+        throw Refusal("--record-limit: '" + options.record_limit + "' is not a number of bytes, such as 100M");
     set("ODE_PREDICTIVE_RECORD_LIMIT", options.record_limit);
 }
 
@@ -134,7 +137,8 @@ void set_variables(RunOptions &options)
 {
     execvp(command[0], command);
     const int reason = errno;
-    std::fprintf(stderr, "ode-predictive: %s: %s\n", printable(command[0]).c_str(), std::strerror(reason));
+    std::fprintf(stderr, "ode-predictive: %s cannot be started: %s\n", printable(command[0]).c_str(),
+                 std::strerror(reason));
     _exit(reason == ENOENT ? 127 : 126);
 }
 
@@ -158,7 +162,7 @@ int run_and_wait(char **command)
     const auto on_child_end = std::signal(SIGCHLD, SIG_DFL); // it may be ignored, which is inherited
     program = fork();
     if (program < 0)
-        throw Refusal(std::string("no process: ") + std::strerror(errno));
+        throw Refusal(std::string("a process for the program cannot be created: ") + std::strerror(errno));
     if (program == 0)
     {
         std::signal(SIGCHLD, on_child_end);
@@ -201,7 +205,8 @@ try
     for (const std::string &word : options.command)
         title += " " + word;
     if (!std::filesystem::exists(options.record_file))
-        say("no process that collides a space of ODE was seen");
+        say("nothing was recorded: no call of dSpaceCollide() was seen; ode-predictive run --help says which programs "
+            "are reached");
     say("report: %s", recording::write_report(options.report_folder, options.record_file, title).c_str());
     return true;
 }

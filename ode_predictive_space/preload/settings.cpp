@@ -85,7 +85,7 @@ public:
         const std::string text = value(name);
         const std::uint64_t bytes = bytes_named(text);
         if (!text.empty() && bytes == 0)
-            complain(name, text, "a number of bytes, as 100M", "256M");
+            complain(name, text, "a number of bytes, such as 100M", "256M");
         return bytes ? bytes : otherwise;
     }
 

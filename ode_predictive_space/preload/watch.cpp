@@ -251,7 +251,7 @@ void Watch::end_recording()
 {
     const std::lock_guard<std::mutex> guard(recording_);
     if (recorder_ && !recorder_->close())
-        say("%s could not be written to its end", recorded_file_.c_str());
+        say("%s could not be written to its end; what was written can be replayed", recorded_file_.c_str());
 }
 
 // Calls the callbacks after the collide, in an order that does not depend on the space. A deterministic program then does the

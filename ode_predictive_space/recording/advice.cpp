@@ -119,8 +119,8 @@ std::string said_of_gain(const Findings &findings, SpaceKind kind)
 std::string sentence_without_ticks(const Findings &findings)
 {
     std::string text =
-        "What a tick would gain is not known, as the recording has no times of the program. Per collide, with "
-        "the notices before it:";
+        "What a tick would gain is not known, as the recording has no times of the program. A collide and the notices "
+        "before it take";
     for (const SpaceKind kind : {findings.own, SpaceKind::box, SpaceKind::shape})
         if (const ReplayedSpace *space = replayed(findings, kind))
             text += formatted("%s %s \xc2\xb5s in %s", kind == findings.own ? "" : ",",
@@ -159,7 +159,8 @@ Advice advice_for(const Findings &findings)
 std::string sentence_for(const Findings &findings)
 {
     if (findings.events < fewest_events)
-        return "Not known: only " + std::to_string(findings.events) + " collides and questions were recorded.";
+        return "Not known: only " + std::to_string(findings.events) +
+               " collides were recorded. Record the program for longer.";
     if (!findings.tick || !gain_of(findings, SpaceKind::box))
         return sentence_without_ticks(findings);
     const Advice advice = advice_for(findings);
@@ -167,18 +168,18 @@ std::string sentence_for(const Findings &findings)
     switch (advice)
     {
     case Advice::use:
-        return "Use it: " + said_of_gain(findings, SpaceKind::box) + ". " + line_to_change(findings, advice) +
-               rest.substr(1);
+        return "Use predictive spaces: " + said_of_gain(findings, SpaceKind::box) + ". " +
+               line_to_change(findings, advice) + rest.substr(1);
     case Advice::use_by_shape:
-        return "Use it by shape: " + said_of_gain(findings, SpaceKind::shape) + ". " +
+        return "Use predictive spaces by shape: " + said_of_gain(findings, SpaceKind::shape) + ". " +
                line_to_change(findings, advice) + rest.substr(1);
     case Advice::unknown:
-        return "Not known: " + said_of_gain(findings, SpaceKind::box) + ". Try again when the machine is idle" + rest;
+        return "Not known: in predictive spaces " + said_of_gain(findings, SpaceKind::box) +
+               ". Measure again on an idle machine" + rest;
     case Advice::leave:
         if (is_predictive(findings.own))
-            return std::string("Leave it as it is: the program has predictive spaces, by ") + name_of(findings.own) +
-                   rest;
-        return "Leave it: " + said_of_gain(findings, SpaceKind::box) + rest;
+            return std::string("Keep the program's spaces: they are predictive, by ") + name_of(findings.own) + rest;
+        return "Keep the program's spaces: in predictive ones " + said_of_gain(findings, SpaceKind::box) + rest;
     }
     return "";
 }

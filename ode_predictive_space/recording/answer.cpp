@@ -176,7 +176,7 @@ std::string name_on_page(const Replays &replays)
 std::vector<std::string> row_of(const Findings &findings, const Costs &costs, const Replays &replays)
 {
     if (!replays.least.failure.empty())
-        return {name_on_page(replays), "ends: " + replays.least.failure};
+        return {name_on_page(replays), "ended: " + replays.least.failure};
     const Means means = means_of(replays.least);
     const auto gain = gain_of(findings, replays.kind);
     return {name_on_page(replays), readable(1e6 * means.collide),
@@ -206,7 +206,7 @@ Curve times_in_program(const Recording &recording, std::size_t events)
 
 Plot plot_of(const Recording &recording, const Costs &costs)
 {
-    Plot plot = {"Time per collide", "number of the collide or question", "microseconds", {}, true};
+    Plot plot = {"Time per collide", "number of the collide", "microseconds", {}, true};
     for (const Replays &replays : costs.spaces)
         if (replays.replayed_as == SpaceKind::own || replays.kind == SpaceKind::box || replays.kind == SpaceKind::shape)
             plot.curves.push_back(times_of(name_on_page(replays) + ", replayed", replays.least));
@@ -219,7 +219,8 @@ std::string sentence_of(const Recording &recording, const Findings &findings, co
     if (recording.events().empty())
         return "Not known: no collide was recorded.";
     if (!own_failure.empty())
-        return "Use it: the program's own spaces (" + full_name_of(findings.own) + ") end the program: " + own_failure;
+        return "Use predictive spaces: the program's own ones (" + full_name_of(findings.own) +
+               ") end the program: " + own_failure;
     return sentence_for(findings);
 }
 
@@ -229,26 +230,26 @@ std::vector<std::string> notes_of(const Recording &recording, const Findings &fi
     std::vector<std::string> notes;
     notes.push_back(completeness_of(recording));
     notes.push_back(
-        formatted("Replayed: %zu of %zu recorded collides and questions, %u geoms, %u bodies. The callbacks of "
-                  "the program, its contacts and its step are not part of these times.",
+        formatted("Replayed: %zu of %zu recorded collides, %u geoms, %u bodies. The program's callbacks, its contacts "
+                  "and its step are not part of these times.",
                   findings.events, recording.events().size(), recording.geom_count(), recording.body_count()));
     if (!costs.failure_of_callbacks.empty())
-        notes.push_back("What the callbacks find is not known: " + costs.failure_of_callbacks);
+        notes.push_back("It is not known how many callbacks find contacts: " + costs.failure_of_callbacks);
     else if (callbacks.all > 0)
-        notes.push_back(formatted("Of the callbacks by boxes, %.3g %% find nothing: dCollide gives no contact.%s",
+        notes.push_back(formatted("Of the callbacks for pairs by box, %.3g %% find no contact by dCollide().%s",
                                   100 * static_cast<double>(callbacks.nothing) / static_cast<double>(callbacks.all),
                                   callbacks.unknown > 0 ? " Pairs with spaces, or with geoms of which only the box is "
-                                                          "recorded, are not among them."
+                                                          "recorded, are not counted."
                                                         : ""));
     if (const std::string unknown = unknown_notices(recording); !unknown.empty())
         notes.push_back(unknown);
     if (findings.tick)
-        notes.push_back(
-            formatted("In the program a collide took %s \xc2\xb5s, replayed %s: a replay does nothing else, so that "
-                      "its data stay "
-                      "in the processor's caches. All spaces are taken to be slower in the program by the same time.",
-                      readable(findings.tick->collide).c_str(),
-                      readable(1e6 * means_of(of_kind(costs, findings.tick->kind)->least).collide).c_str()));
+        notes.push_back(formatted(
+            "In the program a collide took %s \xc2\xb5s, in the replay %s \xc2\xb5s: a replay does nothing else, "
+            "so its data stay in the processor's caches. Spaces of every kind are assumed to be slower in the "
+            "program by this difference.",
+            readable(findings.tick->collide).c_str(),
+            readable(1e6 * means_of(of_kind(costs, findings.tick->kind)->least).collide).c_str()));
     return notes;
 }
 } // namespace
@@ -270,7 +271,7 @@ Answer answer_for(const Recording &recording)
     Answer answer;
     answer.sentence = sentence_of(recording, findings, first.failure);
     answer.table = {{"spaces", "\xc2\xb5s per collide", "\xc2\xb5s for notices before it", "callbacks per collide",
-                     "a tick, beside the program's own"}};
+                     "a tick, compared with the program's own"}};
     for (const Replays &replays : costs.spaces)
         answer.table.push_back(row_of(findings, costs, replays));
     answer.plots = {plot_of(recording, costs)};

@@ -62,7 +62,7 @@ std::string do_in_child(const std::function<void()> &work)
     std::fflush(nullptr); // or the child would write it, too
     const pid_t child = fork();
     if (child < 0)
-        return std::string("no process: ") + std::strerror(errno);
+        return std::string("a process for the replay cannot be created: ") + std::strerror(errno);
     if (child == 0)
         run_child(work);
     int status = 0;
@@ -72,6 +72,6 @@ std::string do_in_child(const std::function<void()> &work)
         return "";
     if (*message_of_child)
         return printable(message_of_child);
-    return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "the process ended";
+    return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "the process ended without a message";
 }
 } // namespace ode_predictive_space::recording

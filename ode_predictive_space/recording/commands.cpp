@@ -125,7 +125,7 @@ bool replay_all(const ReplayOptions &options, const Recording &recording)
     const SpaceKind reference_kind = kind_named(options.reference).value();
     describe(options.file, recording);
     if (!options.pairs_alone && !has_valgrind())
-        std::printf("No instructions are counted: valgrind is not installed.\n");
+        std::printf("No instructions are counted, as valgrind is not installed.\n");
     const Pairs reference = find_pairs(recording, reference_kind);
     const Counter counter(options, recording.events().size());
     std::printf("\n%-26s %12s  pairs\n", "spaces", counter.events() > 0 ? "1000 instr." : "");
@@ -184,11 +184,13 @@ std::string write_report(const std::string &folder, const std::string &file, con
         page.text = printable(recording.note());
         // The path is relative to the page, so that the folder can be moved.
         const std::string place = std::filesystem::path(file).lexically_proximate(folder);
-        page.answer.notes.push_back("Measured from the recording " + printable(place) +
-                                    "; ode-predictive replay, given this file, checks and counts more.");
+        page.answer.notes.push_back(
+            "Measured from the recording " + printable(place) +
+            ". To check its pairs and count instructions, give this file to ode-predictive replay.");
     }
     else
-        page.answer.sentence = "What the program would gain is not known: it collided no space that could be recorded.";
+        page.answer.sentence =
+            "What the program would gain is not known: nothing was recorded, as no call of dSpaceCollide() was seen.";
     return write_page(folder, page);
 }
 } // namespace ode_predictive_space::recording

@@ -2,9 +2,11 @@
 
 #include "ode_predictive_space/recording/drawing.h"
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace ode_predictive_space::recording
 {
@@ -56,6 +58,16 @@ std::string html_of(const Answer &answer)
         text += svg(plot);
     return text + "<h2>How it was recorded</h2>\n";
 }
+
+std::error_code last_failure()
+{
+    return {errno, std::generic_category()};
+}
+
+[[noreturn]] void refuse(const std::string &path, const std::error_code &failure)
+{
+    throw std::runtime_error(path + " cannot be written" + (failure ? ": " + failure.message() : ""));
+}
 } // namespace
 
 std::string html(const Page &page)
@@ -71,13 +83,16 @@ std::string html(const Page &page)
 
 void prepare_folder(const std::string &folder)
 {
-    std::error_code failure;
-    if (std::filesystem::exists(folder, failure) && !std::filesystem::is_directory(folder, failure))
-        throw std::runtime_error(folder + " is not a folder");
+    std::error_code failure, none;
+    if (std::filesystem::exists(folder, none) && !std::filesystem::is_directory(folder, none))
+        throw std::runtime_error(folder + " is not a folder: name another one for the page");
     std::filesystem::create_directories(folder, failure);
-    if (failure || std::filesystem::is_directory(path_of_page(folder), failure) ||
-        !std::ofstream(unfinished_page(folder)) || !std::filesystem::remove(unfinished_page(folder), failure))
-        throw std::runtime_error("cannot write " + path_of_page(folder));
+    if (!failure && std::filesystem::is_directory(path_of_page(folder), none))
+        failure = std::make_error_code(std::errc::is_a_directory);
+    if (!failure && !std::ofstream(unfinished_page(folder)))
+        failure = last_failure();
+    if (failure || !std::filesystem::remove(unfinished_page(folder), failure))
+        refuse(path_of_page(folder), failure);
 }
 
 std::string write_page(const std::string &folder, const Page &page)
@@ -87,13 +102,15 @@ std::string write_page(const std::string &folder, const Page &page)
     std::ofstream out(unfinished);
     out << html(page);
     out.close();
-    std::error_code failure;
+    std::error_code failure, none;
     if (out)
         std::filesystem::rename(unfinished, path, failure);
+    else
+        failure = last_failure();
     if (!out || failure)
     {
-        std::filesystem::remove(unfinished, failure);
-        throw std::runtime_error("cannot write " + path);
+        std::filesystem::remove(unfinished, none);
+        refuse(path, failure);
     }
     return path;
 }

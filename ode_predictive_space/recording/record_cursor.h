@@ -51,7 +51,7 @@ public:
     const char *take_bytes(std::uint64_t size)
     {
         if (size > left_)
-            refuse("the record is shorter than what it has to hold");
+            refuse("the record is too short for its content");
         left_ -= static_cast<std::size_t>(size);
         return std::exchange(next_, next_ + size);
     }
@@ -59,7 +59,7 @@ public:
     void expect_end() const
     {
         if (left_ != 0)
-            refuse("the record is longer than what it has to hold");
+            refuse("the record is too long for its content");
     }
 
 private:

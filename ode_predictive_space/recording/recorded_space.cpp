@@ -183,7 +183,8 @@ try
     HistoryFile file(path, false);
     if (!file.is_open())
     {
-        dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): %s cannot be written: %s", printable(path).c_str(),
+        dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): nothing is recorded, as %s cannot be written: %s",
+                 printable(path).c_str(),
                  file.error() == EBUSY ? "another recording is being written to it" : std::strerror(file.error()));
         return false;
     }
@@ -194,7 +195,7 @@ try
 }
 catch (const std::bad_alloc &)
 {
-    dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): there is no memory for a recording");
+    dMessage(d_ERR_UNKNOWN, "dPredictiveSpaceRecord(): nothing is recorded, as there is not enough memory");
     return false;
 }
 } // namespace
@@ -238,6 +239,7 @@ int dPredictiveSpaceRecord(dSpaceID space, const char *path, unsigned long limit
     CHECK_NOT_LOCKED(self);
     const bool was_written = end_recording(self);
     if (!was_written)
-        dMessage(d_ERR_UNKNOWN, "%s(): the recording could not be written to its end", __func__);
+        dMessage(d_ERR_UNKNOWN, "%s(): the recording could not be written to its end; what was written can be replayed",
+                 __func__);
     return path ? begin_recording(self, path, limit ? limit : default_limit) : was_written;
 }

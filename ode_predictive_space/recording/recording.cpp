@@ -18,7 +18,7 @@ Recording Recording::read(const std::string &path)
 {
     std::error_code none;
     if (std::filesystem::is_directory(path, none))
-        throw std::runtime_error("it is a folder");
+        throw std::runtime_error("this is a folder, not a recording");
     errno = 0;
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
@@ -65,7 +65,7 @@ BodyChange Recording::body(const Record &record) const
     cursor.take(change.id);
     cursor.take(change.fields);
     if (change.fields == 0 || (change.fields & ~body_field::all) != 0)
-        cursor.refuse("a body has no such fields");
+        cursor.refuse("a body has unknown fields or none");
     visit_body_fields(change.state, change.fields, [&](void *field, std::size_t size) { cursor.take_to(field, size); });
     cursor.expect_end();
     return change;
@@ -80,11 +80,11 @@ GeomChange Recording::geom(const Record &record) const
     cursor.take(change.state.geom_class);
     cursor.take(change.fields);
     if (change.fields == 0 || (change.fields & ~geom_field::all) != 0)
-        cursor.refuse("a geom has no such fields");
+        cursor.refuse("a geom has unknown fields or none");
     if (geom_class > dLastSpaceClass && geom_class != stand_in && geom_class != fixed_heightfield)
-        cursor.refuse("there is no such class");
+        cursor.refuse("the class of a geom is unknown");
     if (geom_class == dGeomTransformClass)
-        cursor.refuse("a transform is recorded as what it holds");
+        cursor.refuse("a geom has the class of transforms, which is never recorded");
     visit_geom_fields(change.state, change.fields, [&](void *field, std::size_t size) { cursor.take_to(field, size); });
     cursor.expect_end();
     return change;

@@ -69,7 +69,7 @@ bool Recording::Check::take_header()
 {
     const std::vector<char> &bytes = recording_.bytes_;
     if (!std::equal(bytes.begin(), bytes.begin() + std::min(bytes.size(), sizeof magic), magic))
-        throw BadRecording(0, "this is no recorded history of ODE");
+        throw BadRecording(0, "this is not a recording of ODE's spaces");
     if (bytes.size() < header_size)
         return false;
     std::uint32_t &version = recording_.version_;
@@ -77,13 +77,14 @@ bool Recording::Check::take_header()
     std::memcpy(&version, bytes.data() + sizeof magic, sizeof version);
     std::memcpy(&size_of_real, bytes.data() + sizeof magic + sizeof version, sizeof size_of_real);
     if (version < oldest_version || version > format_version)
-        throw BadRecording(sizeof magic, "the format has version " + std::to_string(version) + "; versions " +
-                                             std::to_string(oldest_version) + " to " + std::to_string(format_version) +
-                                             " are read here");
+        throw BadRecording(sizeof magic, "the format has version " + std::to_string(version) +
+                                             "; this tool reads versions " + std::to_string(oldest_version) + " to " +
+                                             std::to_string(format_version));
     if (size_of_real != sizeof(dReal))
-        throw BadRecording(sizeof magic + 4, size_of_real == 4   ? "recorded in single precision; this ODE has double"
-                                             : size_of_real == 8 ? "recorded in double precision; this ODE has single"
-                                                                 : "there is no such precision");
+        throw BadRecording(sizeof magic + 4,
+                           size_of_real == 4   ? "recorded in single precision; the ODE of this tool has double"
+                           : size_of_real == 8 ? "recorded in double precision; the ODE of this tool has single"
+                                               : "the precision is unknown");
     return true;
 }
 
@@ -92,7 +93,7 @@ void Recording::Check::take_records()
     for (Record record{}; next_record(record); recording_.records_.push_back(record))
         take(record);
     if (recording_.has_end_ && recording_.whole_bytes() < recording_.bytes_.size())
-        throw BadRecording(recording_.whole_bytes(), "something follows the end");
+        throw BadRecording(recording_.whole_bytes(), "a record follows the end");
 }
 
 namespace
@@ -130,7 +131,7 @@ bool Recording::Check::next_record(Record &record) const
     if (record.size <= bytes.size() - record.content)
         return true;
     if (!can_be_cut(record))
-        throw BadRecording(at, "the record is longer than one of its kind");
+        throw BadRecording(at, "the record is longer than any of its kind");
     return false;
 }
 
@@ -165,7 +166,7 @@ void Recording::Check::take(const Record &record)
     case RecordKind::times:
         return take_times(record);
     }
-    throw BadRecording(record.begin(), "there is no such kind of record");
+    throw BadRecording(record.begin(), "the kind of the record is unknown");
 }
 
 RecordCursor Recording::Check::cursor_of_data(const Record &record) const
@@ -197,7 +198,7 @@ void Recording::Check::take_mesh(const Record &record)
     const auto precision = cursor.take<std::uint8_t>();
     const auto vertices = cursor.take<std::uint32_t>(), triangles = cursor.take<std::uint32_t>();
     if (precision > 1)
-        cursor.refuse("a mesh has vertices of no known precision");
+        cursor.refuse("the precision of a mesh's vertices is unknown");
     MeshContent mesh;
     mesh.single = precision == 1;
     cursor.take_all(mesh.vertices, std::uint64_t{3} * vertices * (mesh.single ? sizeof(float) : sizeof(double)));
@@ -208,7 +209,7 @@ void Recording::Check::take_mesh(const Record &record)
     if (!(mesh.single ? all_finite<float>(mesh.vertices) : all_finite<double>(mesh.vertices)))
         cursor.refuse("a vertex is not finite");
     if (*std::max_element(mesh.triangles.begin(), mesh.triangles.end()) >= vertices)
-        cursor.refuse("a triangle has a corner that is no vertex");
+        cursor.refuse("a triangle has a corner that is not a vertex");
     recording_.data_.emplace_back(std::move(mesh));
 }
 
@@ -232,7 +233,7 @@ void Recording::Check::take_convex(const Record &record)
             cursor.refuse("a polygon has too few or too many corners");
         for (std::uint32_t corner = 1; corner <= corners; ++corner)
             if (convex.polygons[at + corner] >= points)
-                cursor.refuse("a polygon has a corner that is no point");
+                cursor.refuse("a polygon has a corner that is not a point");
         at += corners + 1;
     }
     if (at != entries)
@@ -326,20 +327,20 @@ void check_levels(const RecordCursor &cursor, const SpaceState &state)
 {
     constexpr std::int32_t most = 1100; // as a logarithm of a number
     if (state.min_level < -most || state.min_level > state.max_level || state.max_level > most)
-        cursor.refuse("a hash space has no such levels");
+        cursor.refuse("a hash space has impossible levels");
 }
 
 void check_service(const RecordCursor &cursor, const SpaceService &service)
 {
     if (service.predictive > 1 + dPredictiveProximityShape || service.is_substitute > (service.predictive != 0))
-        cursor.refuse("there is no such kind of predictive space");
+        cursor.refuse("the kind of a predictive space is unknown");
 }
 } // namespace
 
 void Recording::Check::check_version(const RecordCursor &cursor, const GeomChange &change) const
 {
     if (recording_.version_ == 1 && ((change.fields & geom_field::service) || is_heightfield(change.state.geom_class)))
-        cursor.refuse("a file of version 1 has no such geom");
+        cursor.refuse("a file of version 1 cannot have such a geom");
 }
 
 std::uint32_t Recording::Check::depth_in(const RecordCursor &cursor, std::uint32_t parent) const
@@ -347,7 +348,7 @@ std::uint32_t Recording::Check::depth_in(const RecordCursor &cursor, std::uint32
     if (parent == 0)
         return 0;
     if (parent > geoms_.size() || !is_space_class(geoms_[parent - 1].geom_class) || geoms_[parent - 1].gone)
-        cursor.refuse("a geom is in something that is no space, or is gone");
+        cursor.refuse("a geom is in a geom that is not a space, or that is gone");
     const std::uint32_t depth = geoms_[parent - 1].depth + 1;
     if (depth > deepest_nesting)
         cursor.refuse("spaces are nested too deeply");
@@ -406,7 +407,7 @@ void Recording::Check::check_data(const RecordCursor &cursor, const GeomState &s
          : state.geom_class == dConvexClass ? std::holds_alternative<ConvexContent>(data[state.data])
                                             : std::holds_alternative<HeightsContent>(data[state.data]));
     if (!has_them)
-        cursor.refuse("there are no such data of a mesh, convex or heightfield");
+        cursor.refuse("the data of a mesh, convex or heightfield do not exist");
 }
 
 void Recording::Check::take_body_of(const RecordCursor &cursor, Geom &geom, const GeomChange &change) const
@@ -416,19 +417,19 @@ void Recording::Check::take_body_of(const RecordCursor &cursor, Geom &geom, cons
     {
         const bool may_have = is_placeable_class(geom.geom_class) || geom.geom_class == stand_in;
         if (state.body > recording_.body_count_ || (state.body != 0 && !may_have))
-            cursor.refuse("there is no such body");
+            cursor.refuse("a body does not exist");
         geom.has_body = state.body != 0;
     }
     if ((change.fields & geom_field::offset) && state.has_offset &&
         (!geom.has_body || !is_placeable_class(geom.geom_class)))
-        cursor.refuse("a geom without body has an offset from it");
+        cursor.refuse("a geom without a body has an offset");
 }
 
 std::uint32_t Recording::Check::take_live(RecordCursor &cursor) const
 {
     const auto id = cursor.take<std::uint32_t>();
     if (id >= geoms_.size() || geoms_[id].gone)
-        cursor.refuse("there is no such geom");
+        cursor.refuse("a geom does not exist");
     return id;
 }
 
@@ -448,7 +449,7 @@ void Recording::Check::take_event(const Record &record)
     cursor.expect_end();
     const bool first_is_space = is_space_class(geoms_[first].geom_class);
     if (!first_is_space && !is_space_class(geoms_[second].geom_class))
-        cursor.refuse("the geom that is asked is no space");
+        cursor.refuse("the geom that is queried is not a space");
     if (is_collide ? !has_collide_ : !has_collide_ && !has_query_)
         recording_.first_space_ = first_is_space ? first : second;
     has_collide_ |= is_collide;
@@ -461,7 +462,7 @@ void Recording::Check::take_pairs(const Record &record)
     RecordCursor cursor(recording_.bytes_, record);
     const auto number = cursor.take<std::uint32_t>();
     if (number >= recording_.events_.size() || recording_.events_[number].has_pairs)
-        cursor.refuse("there is no such event, or its pairs are known");
+        cursor.refuse("the event of these pairs does not exist, or has pairs");
     EventSummary &event = recording_.events_[number];
     event.has_pairs = true;
     cursor.take(event.pairs);
@@ -474,7 +475,7 @@ void Recording::Check::take_times(const Record &record)
     RecordCursor cursor(recording_.bytes_, record);
     const auto number = cursor.take<std::uint32_t>();
     if (number >= recording_.events_.size() || recording_.events_[number].has_times)
-        cursor.refuse("there is no such event, or its times are known");
+        cursor.refuse("the event of these times does not exist, or has times");
     EventSummary &event = recording_.events_[number];
     event.has_times = true;
     cursor.take(event.times);
@@ -489,7 +490,7 @@ void Recording::Check::take_end(const Record &record)
     RecordCursor cursor(recording_.bytes_, record);
     const auto reason = cursor.take<std::uint8_t>();
     if (reason > static_cast<std::uint8_t>(EndReason::limit))
-        cursor.refuse("there is no such reason to end");
+        cursor.refuse("the reason of the end is unknown");
     cursor.expect_end();
     recording_.has_end_ = true;
     recording_.reached_limit_ = reason == static_cast<std::uint8_t>(EndReason::limit);

@@ -43,7 +43,7 @@ bool checked_geom(const char *function, const char *name, dxPredictiveSpace *spa
 bool checked_role(const char *function, int role)
 {
     return role == dPredictiveRoleEnvironment || role == dPredictiveRoleInteractive ||
-           refuse(function, "role", "it is no dPredictiveRole constant");
+           refuse(function, "role", "it is not a dPredictiveRole constant");
 }
 
 bool checked_coefficient(const char *function, const char *name, dReal value)
@@ -56,7 +56,8 @@ dSpaceID dPredictiveSpaceCreate(dSpaceID parent)
 {
     if (const char *mismatch = ode_mismatch())
     {
-        dMessage(d_ERR_UASSERT, "dPredictiveSpaceCreate(): this ODE library cannot be used: %s", mismatch);
+        dMessage(d_ERR_UASSERT, "dPredictiveSpaceCreate(): no space is made, as this ODE library cannot be used: %s",
+                 mismatch);
         return nullptr;
     }
     if (parent && !dGeomIsSpace(reinterpret_cast<dGeomID>(parent)))
@@ -89,7 +90,7 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
     else if (proximity == dPredictiveProximityShape)
         self->set_proximity_test(ProximityTest::shape);
     else
-        refuse(__func__, "proximity", "it is no dPredictiveProximity constant");
+        refuse(__func__, "proximity", "it is not a dPredictiveProximity constant");
 }
 
 int dPredictiveSpaceGetProximity(dSpaceID space)

@@ -119,11 +119,12 @@ bool layout_differs()
 const char *find_mismatch()
 {
     if (precision_differs())
-        return "it has another precision (dSINGLE, dDOUBLE) than this plugin was built for";
+        return "it has another precision (dSINGLE, dDOUBLE) than the ODE that this plugin was built for";
     if (several_copies())
-        return "there is more than one copy of ODE in this process";
+        return "there is more than one copy of ODE in this process, for example a static and a shared one";
     if (layout_differs())
-        return "its geoms or spaces are laid out otherwise than in the ODE this plugin was built for (a fork?)";
+        return "its geoms or spaces have another memory layout than those of the ODE that this plugin was built for; "
+               "it may be a fork";
     return nullptr;
 }
 } // namespace

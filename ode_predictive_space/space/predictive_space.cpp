@@ -281,7 +281,9 @@ void dxPredictiveSpace::collide(void *data, dNearCallback *callback)
     dAASSERT(callback);
     const Access::Turn turn(access_);
     if (!turn.granted())
-        return dMessage(d_ERR_UASSERT, "dSpaceCollide(): not done, because another thread is colliding the space");
+        return dMessage(
+            d_ERR_UASSERT,
+            "dSpaceCollide(): refused, because another thread is colliding the space; one thread at a time may do so");
     if (!is_free("dSpaceCollide"))
         return;
     const bool nested_call = lock_count > 0;

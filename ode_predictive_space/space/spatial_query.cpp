@@ -13,7 +13,9 @@ bool dxPredictiveSpace::is_free(const char *function) const
 {
     if (!access_.works())
         return true;
-    dMessage(d_ERR_UASSERT, "%s(): not answered, because the space is just being brought up to date", function);
+    dMessage(d_ERR_UASSERT,
+             "%s(): refused, because the space is being updated; an AABB function of a geom class must not call it",
+             function);
     return false;
 }
 

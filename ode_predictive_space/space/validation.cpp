@@ -49,7 +49,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_missing_pair(const std::vec
         const bool overlap = now.overlap(geoms_[pair.first], geoms_[pair.second]);
         // With the shape test, a pair whose boxes overlap may rest as separated.
         if (state == PairState::overlapping ? !overlap : state == PairState::separated && overlap && !by_shape())
-            wrong_state = {"what is known of a pair at rest is wrong", geoms_[pair.first], geoms_[pair.second]};
+            wrong_state = {"the state of a resting pair is wrong", geoms_[pair.first], geoms_[pair.second]};
     });
     if (wrong_state.what)
         return wrong_state;
@@ -80,7 +80,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_touching(GeomScene &now)
         dContactGeom contact;
         if (enabled(one) && enabled(other) && now.overlap(one, other) &&
             dCollide(one, other, 1, &contact, sizeof contact) > 0)
-            touching = {"two geoms have a contact and are postponed", one, other};
+            touching = {"two geoms with a contact are postponed", one, other};
     };
     broadphase_.for_each_postponed(now, check);
     broadphase_.for_each_near_pair([&](const CandidatePair &pair, PairState state) {
@@ -95,7 +95,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
     const std::lock_guard<std::recursive_mutex> hold(access_.upkeep);
     access_.forget_catching_up(); // ODE sends no notice when a geom is enabled
     if (!catch_up("dPredictiveSpaceValidate"))
-        return {"it cannot be checked now"};
+        return {"the space cannot be checked while it is being updated"};
     const Lock lock(this);
     GeomScene now = scene();
     broadphase_.find_new_pairs(now);

@@ -111,10 +111,11 @@ nlohmann::json measure_all(int objects, int ticks)
              {SpaceKind::predictive, SpaceKind::predictive_by_shapes, SpaceKind::sweep_and_prune})
             sizes.push_back(measure({spec.name, std::min(spec.objects, objects)}, kind, std::min(ticks, 200)));
     }
-    std::cout << "Bytes per geom: as a predictive space counts, and what is allocated beyond the world alone\n\n";
+    std::cout << "Bytes per geom: counted by the predictive space, and allocated in addition to the world without a "
+                 "space\n\n";
     print_records(sizes);
     const nlohmann::json growth = {measure_growth({"churn", std::min(1000, objects)}, ticks)};
-    std::cout << "Bytes that the predictive space counts, while geoms come and go\n\n";
+    std::cout << "Bytes counted by the predictive space, while geoms are created and destroyed\n\n";
     print_records(growth);
     sizes.push_back(growth[0]);
     return sizes;
@@ -126,11 +127,13 @@ int main(int argc, char **argv)
     int objects = 100000;
     int ticks = 1000000;
     const auto add_options = [&](CLI::App &app) {
-        app.add_option("--n", objects, "Objects at most")->check(CLI::Range(1, 1000000))->capture_default_str();
-        app.add_option("--ticks", ticks, "Ticks of churn; 200 of the others")
+        app.add_option("--n", objects, "Largest number of objects")
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str();
+        app.add_option("--ticks", ticks, "Ticks of the world churn; the others have at most 200")
             ->check(CLI::Range(1, 100000000))
             ->capture_default_str();
     };
-    return run_program(argc, argv, "What a space holds per geom", add_options,
+    return run_program(argc, argv, "Measures the memory of a space per geom", add_options,
                        [&] { return measure_all(objects, ticks); });
 }

@@ -64,9 +64,9 @@ nlohmann::json measure_all(double seconds, int objects)
     for (const int size : {100, 1000, 10000})
     {
         settings.objects = std::min(size, objects);
-        show("A servo of its own at 4,000 Hz, the scene at 250 Hz", measure(settings), all);
+        show("The servo in its own thread at 4,000 Hz, the scene at 250 Hz", measure(settings), all);
     }
-    show("The same over the ridges of a mesh, the scene at 100 Hz; error of the force as a share of it",
+    show("As before, over the ridges of a mesh, the scene at 100 Hz; error of the force as a share of the force",
          measure_ridges(seconds), all);
     return all;
 }
@@ -77,9 +77,13 @@ int main(int argc, char **argv)
     double seconds = 10;
     int objects = 10000;
     const auto add_options = [&](CLI::App &app) {
-        app.add_option("--seconds", seconds, "Of each loop")->check(CLI::Range(0.01, 1000.0))->capture_default_str();
-        app.add_option("--n", objects, "Objects at most")->check(CLI::Range(1, 1000000))->capture_default_str();
+        app.add_option("--seconds", seconds, "Seconds of each loop")
+            ->check(CLI::Range(0.01, 1000.0))
+            ->capture_default_str();
+        app.add_option("--n", objects, "Largest number of objects")
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str();
     };
-    return run_program(argc, argv, "Haptic loops at their rate, by the wall clock", add_options,
+    return run_program(argc, argv, "Measures haptic loops that run at their rate, by the wall clock", add_options,
                        [&] { return measure_all(seconds, objects); });
 }

@@ -112,10 +112,10 @@ int main(int argc, char **argv)
     int ticks = 16000;
     const auto add_options = [&](CLI::App &app) {
         app.add_option("--ticks", ticks, "Ticks to measure")->check(CLI::Range(1, 100000000))->capture_default_str();
-        app.add_option("--space", ours, "Whose gains these are")
+        app.add_option("--space", ours, "The space whose gains are measured")
             ->check(CLI::IsMember({"predictive-box", "predictive-sphere", "predictive-shape"}))
             ->capture_default_str();
     };
-    return run_program(argc, argv, "The paper's Table 1, measured here", add_options,
+    return run_program(argc, argv, "Measures the paper's Table 1", add_options,
                        [&] { return measure_all(ours, ticks); });
 }

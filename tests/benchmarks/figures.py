@@ -214,7 +214,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=TOP / "build/release", help="the folder of the build")
     parser.add_argument("--output", type=pathlib.Path, default=RESULTS, help="where to write the files")
-    parser.add_argument("files", nargs="*", metavar="FILE", help="of: " + ", ".join(FIGURES))
+    parser.add_argument("files", nargs="*", metavar="FILE", help="the files to measure (default: all): " + ", ".join(FIGURES))
     arguments = parser.parse_args()
     unknown = [name for name in arguments.files if name not in FIGURES]
     if unknown:

@@ -6,6 +6,7 @@
 #include "tests/benchmarks/rows.h"
 
 #include <CLI/CLI.hpp>
+#include <cstring>
 #include <dlfcn.h>
 #include <exception>
 #include <iostream>
@@ -97,7 +98,7 @@ int record(const WorldSpec &spec, int ticks, const std::string &path)
     recording::HistoryFile file(path, false);
     if (!file.is_open())
     {
-        std::cerr << "record_worlds: " << path << " cannot be written\n";
+        std::cerr << "record_worlds: " << path << " cannot be written: " << std::strerror(file.error()) << '\n';
         return 2;
     }
     Recorder writes(std::move(file), UINT64_MAX, "world " + spec.name + " " + std::to_string(spec.objects));
@@ -142,10 +143,10 @@ int run_as_asked(int argc, char **argv)
     bool list = false;
     app.add_flag("--list", list, "Print, as JSON, the worlds whose instructions are counted, and in which ticks");
     app.add_option("world", spec.name, "The world");
-    app.add_option("n", spec.objects, "Objects")->check(CLI::Range(1, 1000000));
-    app.add_option("--ticks", ticks, "Ticks")->check(CLI::Range(1, 100000000))->capture_default_str();
-    app.add_option("--seed", spec.seed, "Of places and motions")->capture_default_str();
-    app.add_option("--output", path, "The recording")->type_name("FILE");
+    app.add_option("n", spec.objects, "Number of objects")->check(CLI::Range(1, 1000000));
+    app.add_option("--ticks", ticks, "Number of ticks")->check(CLI::Range(1, 100000000))->capture_default_str();
+    app.add_option("--seed", spec.seed, "Seed of positions and motions")->capture_default_str();
+    app.add_option("--output", path, "The file of the recording")->type_name("FILE");
     try
     {
         app.parse(argc, argv);

@@ -78,11 +78,11 @@ def count(build, row, chosen, contacts):
             raise RuntimeError(done.stderr)
         counted = json.loads(result.read_text())
     if not counted["counted_events"]:
-        raise RuntimeError("valgrind was not found; Debian's package is named valgrind")
+        raise RuntimeError("valgrind is missing; install Debian's package valgrind")
     records = []
     for space, figures in zip(spaces, counted["spaces"]):
         if figures["instructions_per_event"] is None:
-            print(f"{row['scene']} {row['n']}: no count in {space}", file=sys.stderr)
+            print(f"{row['scene']} {row['n']}: instructions in {space} could not be counted; the row is left out", file=sys.stderr)
             continue
         if not figures["agrees"]:
             message = f"{row['scene']} {row['n']}: {space} reported other pairs\n{done.stdout}"
@@ -157,9 +157,9 @@ def main():
     words = lambda text: text.split(",")
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=TOP / "build/release", help="the folder of the build")
-    parser.add_argument("--group", choices=["worlds", "scenes"], help="count in these alone")
-    parser.add_argument("--worlds", type=words, help="count in these: floor,heap:500")
-    parser.add_argument("--spaces", type=words, help="in these spaces: " + ", ".join(SPACES))
+    parser.add_argument("--group", choices=["worlds", "scenes"], help="count only in this group of worlds")
+    parser.add_argument("--worlds", type=words, help="count only in these worlds, such as floor,heap:500")
+    parser.add_argument("--spaces", type=words, help="count only in these spaces: " + ", ".join(SPACES))
     parser.add_argument("--contacts", action="store_true", help="count a dCollide() for each pair, too")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the counts to FILE")
     parser.add_argument("--against", type=pathlib.Path, metavar="FILE", help="compare with the counts in FILE")

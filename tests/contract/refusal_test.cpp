@@ -95,7 +95,7 @@ TEST_F(Contract, 16_QuestionsOfACallbackForBoundingBoxesAreRefused)
             else
                 EXPECT_EQ(collide(space).size(), 3u);
         });
-        EXPECT_NE(complaint.find("just being brought up to date"), std::string::npos) << complaint;
+        EXPECT_NE(complaint.find("space is being updated"), std::string::npos) << complaint;
         EXPECT_EQ(collide(space).size(), 3u);
         EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
     }

@@ -35,7 +35,7 @@ diff -r "$work/tree" "$work/patched" || fail "a second time changes something"
 
 "$apply" --undo "$work/tree"
 diff -r "$work/tree" "$work/pristine" || fail "undone is not as it was"
-succeeds_saying 'is not in it' "$apply" --undo "$work/tree" || fail "undoing a second time should say so"
+succeeds_saying 'was not applied' "$apply" --undo "$work/tree" || fail "undoing a second time should say so"
 
 sed -i 's/^static void handleEvent/static  void handleEvent/' "$work/tree/drawstuff/src/x11.cpp"
 cp -r "$work/tree" "$work/changed"

@@ -133,7 +133,8 @@ TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)
         const Outcome outcome =
             run(HAPTIC_DEMO, std::string("--headless --json /no/such/folder/a.json --seconds 0.1 ") + kind);
         EXPECT_EQ(outcome.status, 2) << kind;
-        EXPECT_EQ(outcome.output, "predictive_haptic_demo: cannot write /no/such/folder/a.json\n");
+        EXPECT_EQ(outcome.output,
+                  "predictive_haptic_demo: /no/such/folder/a.json cannot be written: No such file or directory\n");
     }
 }
 

@@ -16,8 +16,8 @@ simulated=$("$1" simulated)
 [ "$simulated" = "$("$1" simulated)" ] || fail 'the second run differs'
 
 # A grip of 300 N/m aims 2 cm deep into a wall of 500 N/m: two springs in series, at 3.75 N.
-expect '^0\.1 s: the probe at 0\.16.. m touches nothing, the hand feels 0\.00 N$'
-expect '^1\.0 s: the probe at 0\.102. m touches the box, the hand feels 3\.7. N$'
+expect '^0\.1 s: the probe at 0\.16.. m touches nothing, the force is 0\.00 N$'
+expect '^1\.0 s: the probe at 0\.102. m touches the box, the force is 3\.7. N$'
 expect '^1000 ticks '
 [ "$(printf '%s\n' "$simulated" | wc -l)" -eq 11 ] || fail 'more or less than ten lines and a summary'
 

@@ -152,7 +152,7 @@ TEST(ExampleDevice, thatTellsNothingNewGetsNoForce)
         renderer.render({}, true, 0.001);
     }
     EXPECT_FALSE(renderer.last_tick().device_answers);
-    EXPECT_EQ(std::vector<std::string>{"No force: The device has told nothing new for too long."}, notices);
+    EXPECT_EQ(std::vector<std::string>{"No force: The device has given no new state for too long."}, notices);
 }
 
 TEST(ExampleDevice, doesNotTakeWhatItDoesNotUnderstand)

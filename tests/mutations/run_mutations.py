@@ -171,10 +171,10 @@ def chosen_faults(names, stages):
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="./run dev mutations", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="this fault; may be given again")
-    parser.add_argument("--stage", action="append", default=[], choices=table.STAGES, help="the faults of this stage; likewise")
+    parser.add_argument("--stage", action="append", default=[], choices=table.STAGES, help="the faults of this stage; may be given again")
     parser.add_argument("--suites", nargs="*", default=list(SUITES), choices=SUITES, metavar="SUITE",
-                        help=f"which suites run as a whole when the likely tests notice nothing: all of them unless told "
-                             f"({', '.join(SUITES)})")
+                        help=f"which suites run as a whole when the likely tests do not fail (default: all of them: "
+                             f"{', '.join(SUITES)})")
     parser.add_argument("--folder", type=pathlib.Path, default=TOP / "build/mutations", help="where the copy is built")
     parser.add_argument("--ode-source", help="the source of ODE, for the build")
     return parser.parse_args()

@@ -38,7 +38,7 @@ TEST(Launcher, RefusesAFileAsTheFolderOfAReport)
     const ScratchFile file;
     const Outcome outcome = launch("--report " + file.path() + " true");
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.output, "ode-predictive: " + file.path() + " is not a folder\n");
+    EXPECT_EQ(outcome.output, "ode-predictive: " + file.path() + " is not a folder: name another one for the page\n");
 }
 
 // Once, the report was written without a message.
@@ -58,7 +58,8 @@ TEST(Launcher, SaysThatAReportHasNothingToReportOn)
     const ScratchFolder folder;
     const Outcome outcome = launch("--report " + folder.path() + " true");
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(count_of("no process that collides a space of ODE was seen\n", outcome.output), 1) << outcome.output;
+    EXPECT_EQ(count_of("nothing was recorded: no call of dSpaceCollide() was seen; ", outcome.output), 1)
+        << outcome.output;
 }
 
 TEST(Launcher, LeavesFilesToThePrograms)
@@ -98,7 +99,7 @@ TEST(Launcher, LeavesOtherPreloadsInFront)
 TEST(Launcher, PrintsNamesWithoutControlCharacters)
 {
     const Outcome missing = launch("\"$(printf '/nonexistent/\\033[31m')\"");
-    EXPECT_EQ(missing.output, "ode-predictive: /nonexistent/\\x1b[31m: No such file or directory\n");
+    EXPECT_EQ(missing.output, "ode-predictive: /nonexistent/\\x1b[31m cannot be started: No such file or directory\n");
     const Outcome refused = launch("--space \"$(printf 'x\\033[31m')\" true");
     EXPECT_TRUE(contains(refused.output, "'x\\x1b[31m'")) << refused.output;
     const ScratchFile place;

@@ -54,7 +54,7 @@ TEST(Record, SaysWhichSpacesTheProgramMadeAndWhetherNoticesAreKnown)
         launch(std::string(each.options) + "--record " + folder.file() + " " + each.program);
         const Outcome replayed = run(REPLAYER, "--pairs --space own " + folder.file());
         EXPECT_TRUE(contains(replayed.output, each.own)) << replayed.output;
-        EXPECT_EQ(contains(replayed.output, "Spaces of ODE were recorded"), !each.notices_are_known) << replayed.output;
+        EXPECT_EQ(contains(replayed.output, "spaces of ODE were recorded"), !each.notices_are_known) << replayed.output;
     }
 }
 
@@ -83,7 +83,7 @@ TEST(Record, EndsAtItsLimit)
     EXPECT_LE(std::filesystem::file_size(folder.file()), 20u << 10);
     const Outcome replayed = run(REPLAYER, "--pairs --space box " + folder.file());
     EXPECT_EQ(replayed.status, 0) << replayed.output;
-    EXPECT_TRUE(contains(replayed.output, "as many bytes as it was to have")) << replayed.output;
+    EXPECT_TRUE(contains(replayed.output, "ended at its limit of bytes")) << replayed.output;
 }
 
 TEST(Record, EndsAtItsLimitInAReportToo)

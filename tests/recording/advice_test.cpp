@@ -55,7 +55,7 @@ TEST(Advice, IsNotGivenWhereReplaysDifferTooMuch)
     Findings findings = found(400, 40, 45);
     findings.spaces[0].costs = {400, 200, 400, 600, 400};
     EXPECT_EQ(advice_for(findings), Advice::unknown);
-    EXPECT_TRUE(says(findings, "Try again when the machine is idle")) << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "Measure again on an idle machine")) << sentence_for(findings);
 }
 
 TEST(Advice, IsNotGivenFromAFewCollides)
@@ -79,7 +79,7 @@ TEST(Advice, IsNotGivenWithoutTheTimesOfTheProgram)
 TEST(Advice, SaysWhatToDoAndWhatItRestsOn)
 {
     Findings findings = found(400, 40, 45);
-    EXPECT_TRUE(says(findings, "Use it: a tick would be 26 % shorter (five replays differ by 0."))
+    EXPECT_TRUE(says(findings, "Use predictive spaces: a tick would be 26 % shorter (five replays differ by 0."))
         << sentence_for(findings);
     EXPECT_TRUE(says(findings,
                      "Write dPredictiveSpaceCreate(parent) for dHashSpaceCreate(parent), or start the program by "
@@ -87,11 +87,13 @@ TEST(Advice, SaysWhatToDoAndWhatItRestsOn)
         << sentence_for(findings);
     EXPECT_TRUE(
         says(findings, "in predictive spaces, a tick took 1000 \xc2\xb5s: 4.0 % in collides, 20 % in callbacks."));
-    EXPECT_TRUE(says(found(400, 40, 45, 100), "Use it by shape: ")) << sentence_for(found(400, 40, 45, 100));
+    EXPECT_TRUE(says(found(400, 40, 45, 100), "Use predictive spaces by shape: "))
+        << sentence_for(found(400, 40, 45, 100));
     EXPECT_TRUE(
         says(found(400, 40, 45, 100), "and call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape)"));
     EXPECT_TRUE(says(found(400, 40, 45, 100), "ode-predictive run --proximity shape."));
-    EXPECT_TRUE(says(found(10, 40, 50), "Leave it: a tick would be 3.1 % longer")) << sentence_for(found(10, 40, 50));
+    EXPECT_TRUE(says(found(10, 40, 50), "Keep the program's spaces: in predictive ones a tick would be 3.1 % longer"))
+        << sentence_for(found(10, 40, 50));
 }
 
 TEST(Advice, SimpleSpacesAreReplacedOnlyOnRequest)
@@ -119,8 +121,7 @@ TEST(Advice, KnowsThatTheProgramHasItAlready)
     Findings findings = found(400, 40, 45);
     findings.own = SpaceKind::box;
     EXPECT_EQ(advice_for(findings), Advice::leave);
-    EXPECT_TRUE(says(findings, "Leave it as it is: the program has predictive spaces, by box. "))
-        << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "Keep the program's spaces: they are predictive, by box. ")) << sentence_for(findings);
     EXPECT_TRUE(says(findings, "In the best of ODE's spaces, hash, it would be 36 % longer."))
         << sentence_for(findings);
     findings.spaces[2].spared = 100;

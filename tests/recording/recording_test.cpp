@@ -250,7 +250,7 @@ TEST(Recording, TakesAFileOfTheFirstVersion)
     EXPECT_EQ(complaint(bytes, 0), "");
     EXPECT_EQ(Recording(bytes.bytes()).version(), 1u);
     expect_refused(
-        bytes, [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); }, "longer");
+        bytes, [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); }, "too long for its content");
     bytes.heights(2, 2);
     expect_refused(
         bytes, [](Bytes &b) { b.geom(2, dHeightfieldClass, 1); }, "version 1");
@@ -319,9 +319,9 @@ TEST(Recording, RefusesALengthThatNoRecordOfItsKindHas)
     good.geom(0, dHashSpaceClass);
     expect_refused(
         good, [](Bytes &b) { b.number<std::uint32_t>(0x7fffffff).number<std::uint8_t>(RecordKind::collide); },
-        "longer than one of its kind");
+        "longer than any of its kind");
     expect_refused(
-        good, [](Bytes &b) { b.number<std::uint32_t>(4).number<std::uint8_t>(77); }, "longer than one of its kind");
+        good, [](Bytes &b) { b.number<std::uint32_t>(4).number<std::uint8_t>(77); }, "longer than any of its kind");
 }
 
 TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
@@ -336,41 +336,41 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("negative or not a number", [](Bytes &b) { b.geom(2, dBoxClass, 0, 0, -1); });
     refused("negative or not a number",
             [](Bytes &b) { b.geom(2, dSphereClass, 0, 0, std::numeric_limits<dReal>::quiet_NaN()); });
-    refused("no such class", [](Bytes &b) { b.geom(2, dFirstUserClass); });
-    refused("what it holds", [](Bytes &b) { b.geom(2, dGeomTransformClass); });
-    refused("no such data", [](Bytes &b) { b.geom(2, dHeightfieldClass); });
-    refused("no such data", [](Bytes &b) { b.geom(2, fixed_heightfield); });
+    refused("class of a geom is unknown", [](Bytes &b) { b.geom(2, dFirstUserClass); });
+    refused("never recorded", [](Bytes &b) { b.geom(2, dGeomTransformClass); });
+    refused("data of a mesh, convex or heightfield do not exist", [](Bytes &b) { b.geom(2, dHeightfieldClass); });
+    refused("data of a mesh, convex or heightfield do not exist", [](Bytes &b) { b.geom(2, fixed_heightfield); });
     refused("too few or too many", [](Bytes &b) { b.heights(1, 4); });
     refused("too few or too many", [](Bytes &b) { b.heights(0x10000, 0x10000); });
-    refused("shorter", [](Bytes &b) { b.heights(3, 2); });
+    refused("too short for its content", [](Bytes &b) { b.heights(3, 2); });
     refused("no width", [](Bytes &b) { b.heights(2, 2, 0); });
     refused("not finite", [](Bytes &b) { b.heights(2, 2, std::numeric_limits<dReal>::infinity()); });
     refused("sample is not finite", [](Bytes &b) { b.heights(2, 2, 2, std::numeric_limits<double>::quiet_NaN()); });
     refused("not a number", [](Bytes &b) { b.heights(2, 2, 2, 0, std::numeric_limits<dReal>::quiet_NaN()); });
-    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 4); });
-    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 1, 2); });
-    refused("kind of predictive space", [](Bytes &b) { b.predictive_space(2, 0, 1); });
+    refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 4); });
+    refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 1, 2); });
+    refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 0, 1); });
     refused("does not exist", [](Bytes &b) { b.event(RecordKind::notices, {2, 1}); });
     refused("too many notices", [](Bytes &b) { b.event(RecordKind::notices, {1, most_notices + 1}); });
-    refused("longer", [](Bytes &b) { b.event(RecordKind::notices, {1}); });
-    refused("no space", [](Bytes &b) { b.geom(2, dSphereClass, 2); });
-    refused("no space", [](Bytes &b) { b.geom(2, dSphereClass, 77); });
-    refused("no space", [](Bytes &b) { b.geom(2, dSimpleSpaceClass, 3); }); // in itself
-    refused("no such data", [](Bytes &b) { b.geom(2, dTriMeshClass, 1, 0); });
-    refused("no such geom", [](Bytes &b) { b.event(RecordKind::collide, {5}); });
-    refused("no space", [](Bytes &b) { b.event(RecordKind::collide, {1}); });
-    refused("no space", [](Bytes &b) { b.event(RecordKind::collide2, {1, 1}); });
-    refused("shorter", [](Bytes &b) { b.event(RecordKind::collide2, {1}); });
-    refused("longer", [](Bytes &b) { b.event(RecordKind::collide, {0, 0}); });
-    refused("no such event", [](Bytes &b) { b.event(RecordKind::pairs, {0, 0, 0, 0}); });
-    refused("no such kind", [](Bytes &b) { b.event(static_cast<RecordKind>(77), {0}); });
+    refused("too long for its content", [](Bytes &b) { b.event(RecordKind::notices, {1}); });
+    refused("a geom that is not a space", [](Bytes &b) { b.geom(2, dSphereClass, 2); });
+    refused("a geom that is not a space", [](Bytes &b) { b.geom(2, dSphereClass, 77); });
+    refused("a geom that is not a space", [](Bytes &b) { b.geom(2, dSimpleSpaceClass, 3); }); // in itself
+    refused("data of a mesh, convex or heightfield do not exist", [](Bytes &b) { b.geom(2, dTriMeshClass, 1, 0); });
+    refused("a geom does not exist", [](Bytes &b) { b.event(RecordKind::collide, {5}); });
+    refused("queried is not a space", [](Bytes &b) { b.event(RecordKind::collide, {1}); });
+    refused("queried is not a space", [](Bytes &b) { b.event(RecordKind::collide2, {1, 1}); });
+    refused("too short for its content", [](Bytes &b) { b.event(RecordKind::collide2, {1}); });
+    refused("too long for its content", [](Bytes &b) { b.event(RecordKind::collide, {0, 0}); });
+    refused("event of these pairs does not exist", [](Bytes &b) { b.event(RecordKind::pairs, {0, 0, 0, 0}); });
+    refused("kind of the record is unknown", [](Bytes &b) { b.event(static_cast<RecordKind>(77), {0}); });
     refused("no triangle", [](Bytes &b) { b.mesh(0, 0); });
-    refused("no vertex", [](Bytes &b) { b.mesh(1, 3); });
+    refused("not a vertex", [](Bytes &b) { b.mesh(1, 3); });
     refused("not finite", [](Bytes &b) { b.mesh(1, 0, std::numeric_limits<float>::infinity()); });
-    refused("shorter", [](Bytes &b) { b.event(RecordKind::mesh, {0, 0xffffff00, 0xffffffff, 0}); });
+    refused("too short for its content", [](Bytes &b) { b.event(RecordKind::mesh, {0, 0xffffff00, 0xffffffff, 0}); });
     refused("corners", [](Bytes &b) { b.convex(2, 0); });
     refused("corners", [](Bytes &b) { b.convex(0xffffffff, 0); });
-    refused("no point", [](Bytes &b) { b.convex(3, 3); });
+    refused("not a point", [](Bytes &b) { b.convex(3, 3); });
     refused("not described", [](Bytes &b) {
         b.begin(RecordKind::body).number<std::uint32_t>(0).number<std::uint16_t>(1).number<std::uint8_t>(1).end();
     });
@@ -385,22 +385,22 @@ TEST(Recording, RefusesLinksThatOdeWouldStopAt)
         SCOPED_TRACE(what);
         expect_refused(good, go_on, what);
     };
-    refused("no such body", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 2); });
-    refused("no such body", [](Bytes &b) { b.geom_on_body(2, dPlaneClass, 1); });
-    refused("no such body", [](Bytes &b) { b.geom_on_body(2, dSimpleSpaceClass, 1); });
+    refused("a body does not exist", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 2); });
+    refused("a body does not exist", [](Bytes &b) { b.geom_on_body(2, dPlaneClass, 1); });
+    refused("a body does not exist", [](Bytes &b) { b.geom_on_body(2, dSimpleSpaceClass, 1); });
     refused("not the next one", [](Bytes &b) { b.body(2); });
-    refused("without body", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 0, true); });
-    refused("no such levels", [](Bytes &b) { b.hash_space(2, 3, 2); });
-    refused("no such levels", [](Bytes &b) { b.hash_space(2, -2000, 2); });
-    refused("no such levels", [](Bytes &b) { b.hash_space(2, 0, 2000); });
+    refused("without a body", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 0, true); });
+    refused("impossible levels", [](Bytes &b) { b.hash_space(2, 3, 2); });
+    refused("impossible levels", [](Bytes &b) { b.hash_space(2, -2000, 2); });
+    refused("impossible levels", [](Bytes &b) { b.hash_space(2, 0, 2000); });
     refused("moved to another space", [](Bytes &b) { b.change(1, dSphereClass, geom_field::parent, 0); });
     refused("another class", [](Bytes &b) { b.change(1, dBoxClass, geom_field::body, 0); });
-    refused("pairs are known", [](Bytes &b) { b.pairs(0); });
-    refused("no such event", [](Bytes &b) { b.pairs(2); });
-    refused("no such event", [](Bytes &b) { b.times(2, 0); });
+    refused("or has pairs", [](Bytes &b) { b.pairs(0); });
+    refused("event of these pairs does not exist", [](Bytes &b) { b.pairs(2); });
+    refused("event of these times does not exist", [](Bytes &b) { b.times(2, 0); });
     refused("negative or not finite", [](Bytes &b) { b.times(1, -1); });
-    refused("times are known", [](Bytes &b) { b.times(0, 0); });
-    refused("no such reason", [](Bytes &b) { b.begin(RecordKind::end).number<std::uint8_t>(7).end(); });
+    refused("or has times", [](Bytes &b) { b.times(0, 0); });
+    refused("reason of the end is unknown", [](Bytes &b) { b.begin(RecordKind::end).number<std::uint8_t>(7).end(); });
 }
 
 TEST(Recording, RefusesWhatIsDoneWithAGeomThatIsGone)
@@ -408,11 +408,11 @@ TEST(Recording, RefusesWhatIsDoneWithAGeomThatIsGone)
     Bytes good;
     good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).event(RecordKind::gone, {0});
     expect_refused(
-        good, [](Bytes &b) { b.event(RecordKind::collide, {0}); }, "no such geom");
+        good, [](Bytes &b) { b.event(RecordKind::collide, {0}); }, "a geom does not exist");
     expect_refused(
         good, [](Bytes &b) { b.geom(2, dSphereClass, 1); }, "gone");
     expect_refused(
-        good, [](Bytes &b) { b.event(RecordKind::gone, {0}); }, "no such geom");
+        good, [](Bytes &b) { b.event(RecordKind::gone, {0}); }, "a geom does not exist");
 }
 
 TEST(Recording, RefusesWhatFollowsTheEndAndSpacesThatAreTooDeep)

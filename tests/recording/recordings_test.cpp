@@ -57,7 +57,7 @@ TEST(Comparison, NamesTheFirstEventThatDiffers)
     wrong.lost_contacts = 1;
     EXPECT_FALSE(compare(recording, SpaceKind::shape, wrong, simple).agrees);
     wrong.failure = "an assertion";
-    EXPECT_NE(compare(recording, SpaceKind::hash, wrong, simple).text.find("ends at event"), std::string::npos);
+    EXPECT_NE(compare(recording, SpaceKind::hash, wrong, simple).text.find("ended at event"), std::string::npos);
 }
 } // namespace
 } // namespace ode_predictive_space::recording

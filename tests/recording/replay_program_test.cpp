@@ -108,7 +108,7 @@ TEST(ReplayProgram, SaysOfAFileWithoutAWholeRecordThatItIsNothing)
         const Outcome outcome = run(REPLAYER, cut.path());
         EXPECT_EQ(outcome.status, 2);
         EXPECT_EQ(lines_of(outcome.output), 1) << outcome.output;
-        EXPECT_TRUE(contains(outcome.output, "The recording is nothing")) << outcome.output;
+        EXPECT_TRUE(contains(outcome.output, "The recording is empty")) << outcome.output;
     }
 }
 

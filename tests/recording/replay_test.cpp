@@ -142,7 +142,7 @@ TEST_F(Replay, LeavesOutPairsByShapeAndSaysSo)
     EXPECT_EQ(shape.strange, 0u);
     const Verdict verdict = compare(recording, SpaceKind::shape, shape, simple);
     EXPECT_TRUE(verdict.agrees);
-    EXPECT_NE(verdict.text.find(" without one left out"), std::string::npos) << verdict.text;
+    EXPECT_NE(verdict.text.find(" without one are left out"), std::string::npos) << verdict.text;
     EXPECT_EQ(verdict.text.find("; 0 without"), std::string::npos) << verdict.text;
 }
 
@@ -199,7 +199,7 @@ TEST_F(Replay, SaysWhyAChildDidNotGetToItsEnd)
     EXPECT_EQ(do_in_child([] { dError(d_ERR_UASSERT, "an error of %s", "ODE"); }), "an error of ODE");
     EXPECT_EQ(do_in_child([] { dDebug(d_ERR_IASSERT, "an assertion"); }), "an assertion");
     EXPECT_EQ(do_in_child([] { std::raise(SIGKILL); }), strsignal(SIGKILL));
-    EXPECT_EQ(do_in_child([] { _exit(3); }), "the process ended");
+    EXPECT_EQ(do_in_child([] { _exit(3); }), "the process ended without a message");
     EXPECT_EQ(do_in_child([] { dMessage(0, "a message ends nothing"); }), "");
 }
 

@@ -41,7 +41,7 @@ TEST_F(Misfit, MISFIT_CASE)
 #elif defined(MISFIT_PRECISION)
     const char *const reason = "precision";
 #else
-    const char *const reason = "laid out otherwise";
+    const char *const reason = "another memory layout";
 #endif
     dSpaceID parent = dSimpleSpaceCreate(nullptr);
     for (dSpaceID each : {dSpaceID(nullptr), parent})

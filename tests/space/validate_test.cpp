@@ -69,7 +69,7 @@ TEST_F(Validate, NamesBothGeomsOfAPairThatIsWrong)
 {
     first->aabb[1] -= 0.5;
     const std::string said = complaint();
-    EXPECT_NE(said.find("pair at rest"), std::string::npos) << said;
+    EXPECT_NE(said.find("resting pair"), std::string::npos) << said;
     expect_names(said, {first, second}, apart);
     first->aabb[1] += 0.5;
     EXPECT_EQ(complaint(), "");

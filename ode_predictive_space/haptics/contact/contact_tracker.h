@@ -17,7 +17,7 @@ bool is_finite(const Touch &touch);
 bool keep_within_capacity(std::vector<Touch> &touches);
 
 constexpr std::string_view capacity_notice = "More than 256 surfaces are touched or near at once. Those that are "
-                                             "farthest away, or hold off least, give no force.";
+                                             "farthest away, or push least, give no force.";
 static_assert(touch_capacity == 256);
 
 struct TouchOfGeom

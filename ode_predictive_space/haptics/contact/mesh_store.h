@@ -15,7 +15,7 @@ namespace ode_predictive_space::haptics
 struct HeightfieldSamples;
 
 constexpr std::string_view reading_notice =
-    "A mesh is being read, a part of it in each tick. Until then it is touched as dCollide() finds it.";
+    "A mesh is being read, a part in each tick. Until it is complete, its contacts are those of dCollide().";
 
 struct TriangleList
 {

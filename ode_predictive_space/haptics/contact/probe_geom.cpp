@@ -21,7 +21,7 @@ bool is_shallower(const dContactGeom &a, const dContactGeom &b)
 dGeomID make_sphere(dSpaceID space, double radius)
 {
     if (space == nullptr || !(radius > 0) || !std::isfinite(radius))
-        throw std::invalid_argument("The probe needs a space to be in, and a radius above 0");
+        throw std::invalid_argument("The probe needs a space and a radius above 0");
     return dCreateSphere(space, static_cast<dReal>(radius));
 }
 
@@ -30,8 +30,7 @@ dGeomID checked(dGeomID geom)
     if (geom == nullptr || dGeomIsSpace(geom) != 0 || dGeomGetClass(geom) == dPlaneClass ||
         dGeomGetBody(geom) != nullptr)
     {
-        throw std::invalid_argument(
-            "The probe's geom must be one that can be placed: no plane, no space, without a body");
+        throw std::invalid_argument("The probe's geom must be placeable, must not be a space and must not have a body");
     }
     return geom;
 }

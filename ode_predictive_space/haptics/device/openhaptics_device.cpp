@@ -44,8 +44,9 @@ AtEnd take_scheduler()
 {
     static std::atomic<bool> is_taken{false};
     if (is_taken.exchange(true))
-        throw hd_error(DeviceFault::permission_denied,
-                       "another device is open in this program, and the library has but one scheduler");
+        throw hd_error(
+            DeviceFault::permission_denied,
+            "another device is open in this program, and the library has only one scheduler: close that device first");
     return AtEnd([] { is_taken.store(false); });
 }
 
@@ -159,7 +160,7 @@ private:
         capabilities.max_damping = number(hd::nominal_max_damping) * millimetres_per_metre;
         capabilities.workspace = {Vector3(corners) / millimetres_per_metre,
                                   Vector3(corners + 3) / millimetres_per_metre};
-        check("what " + name_ + " can do cannot be read");
+        check("the capabilities of " + name_ + " cannot be read");
         // Some drivers measure the rate, and report 0 before their servo runs.
         capabilities.rate = rate > 0 ? rate : 1000;
         return capabilities;
@@ -177,7 +178,7 @@ private:
     void wait_until_ready()
     {
         if (!wait_for([this] { return servo_.read().frame > 0; }, longest_wait_for_first_frame))
-            throw hd_error(DeviceFault::failed, "the scheduler was started and its servo thread does not run");
+            throw hd_error(DeviceFault::failed, "the scheduler was started, but its servo thread does not run");
         throw_fault({});
         if (servo_.read().calibration != hd::calibration_ok)
             throw hd_error(DeviceFault::not_calibrated,
@@ -213,7 +214,7 @@ private:
         if (const HdFault end = servo_.end())
             return library_.error("the servo thread has ended", end);
         if (is_silent_)
-            return hd_error(DeviceFault::lost, "the servo thread runs no more");
+            return hd_error(DeviceFault::lost, "the servo thread does not run any more");
         if (pause)
             return library_.error("no force is rendered for a while", pause);
         return std::nullopt;

@@ -62,7 +62,7 @@ int connect_error(const std::string &path)
 DeviceError server_error(const std::string &path, int error)
 {
     const bool is_forbidden = error == EACCES || error == EPERM;
-    const std::string reason = error != 0 ? std::strerror(error) : "libspnav refuses it";
+    const std::string reason = error != 0 ? std::strerror(error) : "libspnav refused it";
     return {is_forbidden ? DeviceFault::permission_denied : DeviceFault::missing_file,
             "3D mouse: no connection to spacenavd at " + path + ": " + reason};
 }
@@ -74,7 +74,7 @@ std::string named_socket()
     if (named != nullptr && secure_getenv("SPNAV_SOCKET") == nullptr)
     {
         throw DeviceError(DeviceFault::permission_denied,
-                          "3D mouse: SPNAV_SOCKET is set, which a set-user-ID program does not follow");
+                          "3D mouse: SPNAV_SOCKET is set, which a set-user-ID program ignores: unset it");
     }
     return named != nullptr ? named : "";
 }
@@ -83,8 +83,8 @@ void open_library()
 {
     if (spnav_fd() != -1)
     {
-        throw DeviceError(DeviceFault::permission_denied,
-                          "3D mouse: another device of this program uses libspnav, which has but one connection");
+        throw DeviceError(DeviceFault::permission_denied, "3D mouse: another device of this program uses libspnav, "
+                                                          "which has only one connection: close that one first");
     }
     const std::string named = named_socket();
     const bool is_named = !named.empty();
@@ -124,7 +124,7 @@ void ensure_server()
 {
     errno = 0;
     if (look_into_inbox() == Inbox::closed)
-        throw lost("spacenavd has hung up");
+        throw lost("spacenavd has closed the connection");
 }
 
 /// @throws DeviceError not_found for a server without a mouse; lost.
@@ -145,7 +145,7 @@ std::string find_mouse()
         return spnav_dev_name(name, sizeof name) > 0 ? name : unknown;
     }
     ensure_server();
-    throw DeviceError(DeviceFault::not_found, "3D mouse: spacenavd runs and knows of no mouse");
+    throw DeviceError(DeviceFault::not_found, "3D mouse: spacenavd runs, but has no mouse: plug one in");
 }
 
 void take_button(const spnav_event_button &button, std::uint32_t &buttons)
@@ -198,7 +198,7 @@ void SpnavConnection::receive(SpnavInput &input)
         }
         const Inbox inbox = look_into_inbox();
         if (inbox == Inbox::closed)
-            throw lost("spacenavd has gone");
+            throw lost("spacenavd has ended");
         if (inbox == Inbox::empty)
             return;
     }
@@ -211,7 +211,8 @@ namespace ode_predictive_space::haptics
 {
 SpnavConnection::SpnavConnection()
 {
-    throw DeviceError(DeviceFault::missing_library, "3D mouse: this was built without libspnav");
+    throw DeviceError(DeviceFault::missing_library,
+                      "3D mouse: this library was built without libspnav: build it where libspnav-dev is installed");
 }
 
 void SpnavConnection::receive(SpnavInput &) {}

@@ -84,7 +84,7 @@ const Capabilities &device_preset(const std::string &name)
             return preset;
         names += (names.empty() ? "" : ", ") + preset.name;
     }
-    throw std::invalid_argument("no device preset is called \"" + name + "\"; there are: " + names);
+    throw std::invalid_argument("no device preset is called \"" + name + "\"; the names are: " + names);
 }
 
 VirtualDevice::VirtualDevice(const VirtualDeviceSettings &settings, TargetPath target)

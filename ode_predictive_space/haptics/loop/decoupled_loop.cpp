@@ -158,9 +158,8 @@ private:
     void note_messages(std::uint64_t count)
     {
         if (count > 0 && parts_.counts.trial_messages == 0)
-            notify(
-                "ODE has messages about steps that are only tried, to predict what is touched. They are counted, and "
-                "not passed on.");
+            notify("ODE gives messages about trial steps, which predict the motion of touched bodies. They are counted "
+                   "and not passed on.");
         parts_.counts.trial_messages += count;
     }
 
@@ -169,8 +168,8 @@ private:
         std::array<char, std::tuple_size_v<decltype(Notice::text)>> text;
         std::snprintf(
             text.data(), text.size(),
-            "The scene is stepped %d times as often, at %.0f Hz: what the probe is near to has joints or contacts "
-            "that are too stiff and light for steps of %.1f ms.",
+            "The scene is stepped %d times as often, at %.0f Hz: bodies near the probe have joints or contacts that "
+            "are too stiff for steps of %.1f ms.",
             motion_.steps_per_period(), motion_.steps_per_period() / dt_, 1000 * dt_);
         notify(text.data());
     }
@@ -178,8 +177,9 @@ private:
     void notify_of_deviation()
     {
         deviated_ = true;
-        notify("The program's step does more than ODE's, or less: what is touched is taken to go on with its velocity. "
-               "Step such a scene at 200 Hz or more, or in one thread.");
+        notify(
+            "The program's step does more or less than ODE's: touched bodies are predicted from their velocity alone. "
+            "Step such a scene at 200 Hz or more, or in one thread.");
     }
 
     void notify(std::string_view sentence) { parts_.notify(NoticeKind::coupling, sentence, LoopGuard::Side::scene); }

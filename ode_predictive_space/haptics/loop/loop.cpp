@@ -122,7 +122,7 @@ void run_watched(LoopParts &parts, const SceneWork &work)
     if (parts.must_end())
     {
         renderer.relax();
-        parts.notify(NoticeKind::stop, "No force: the loop was asked to end.");
+        parts.notify(NoticeKind::stop, "No force: the loop was requested to end.");
     }
 }
 } // namespace
@@ -138,7 +138,7 @@ LoopReport HapticLoop::run(const SceneWork &work)
 {
     LoopParts &parts = *parts_;
     if (parts.guard)
-        throw std::logic_error("A haptic loop runs once");
+        throw std::logic_error("A haptic loop can run only once: make another one");
     const std::unique_lock<std::mutex> scene = parts.take_scene();
     const AtEnd turn = parts.begin_turn();
     if (parts.probe.sensor() != nullptr)

@@ -55,7 +55,7 @@ void LoopGuard::look()
     {
         scene_.stopped = step;
         if (open_gates::close_unguarded(scene_.thread.load(std::memory_order_relaxed), now))
-            notify("No force at another probe of the program: the scene has hung for too long.");
+            notify("No force: the scene of another probe of this program has hung for too long.");
     }
     // The loop itself may be asleep, or wait for the scene.
     if (!ended_ && duties_.must_end && duties_.must_end())
@@ -68,7 +68,7 @@ void LoopGuard::look_at_clock()
     if (now < newest_ - watch_period)
     {
         has_gone_back_ = true;
-        notify("No force: the loop's clock has gone back.", Side::clock);
+        notify("No force: the loop's clock went backwards.", Side::clock);
     }
     newest_ = now;
     if (has_gone_back_)
@@ -89,8 +89,8 @@ void LoopGuard::stop_force(double now, double beat)
     else if (std::exchange(busy_beat_, beat) == beat)
         return; // already reported
     open_gates::close_unguarded(gate_.reader(), now);
-    notify(taken ? "No force: the loop has hung for too long in the program's part of it."
-                 : "The loop is stuck in the device's driver: only the device itself can remove its force.");
+    notify(taken ? "No force: the program's part of the loop has hung for too long."
+                 : "The loop hangs in the device's driver. The device may keep its last force: switch it off.");
 }
 
 void LoopGuard::notify(std::string_view sentence, Side side)
@@ -108,7 +108,7 @@ bool LoopGuard::take_force(double now)
     }
     catch (...)
     {
-        notify(with_reason("The device takes no zero force, and was closed"));
+        notify(with_reason("The device did not take a zero force and was closed"));
     }
     return true;
 }

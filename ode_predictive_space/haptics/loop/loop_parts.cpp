@@ -14,19 +14,19 @@ namespace
 LoopSettings checked(LoopSettings settings, HapticProbe &probe)
 {
     if (probe.is_taken())
-        throw std::logic_error("Another haptic loop runs the probe");
+        throw std::logic_error("Another haptic loop uses the probe");
     if (!settings.decoupled)
         settings.physics_rate = settings.rate;
     if (settings.decoupled && probe.sensor() == nullptr)
     {
         throw std::invalid_argument(
-            "A tool body is held by the scene's own step: it cannot be felt by a decoupled loop");
+            "A decoupled loop cannot render a tool body, which moves only in the scene's step: use a loop in one "
+            "thread");
     }
     if (settings.physics_rate > settings.rate || settings.most_steps_behind < 0 || !(settings.margin >= 0))
     {
         throw std::invalid_argument(
-            "A loop's scene cannot be faster than its servo, and neither the steps that it may be behind "
-            "nor the margin can be less than 0");
+            "A loop's physics_rate must not be above its rate, and most_steps_behind and margin must not be negative");
     }
     probe.renderer().set_rates(settings.rate, settings.physics_rate);
     return settings;

@@ -81,7 +81,8 @@ dBodyID first_body_of(dWorldID world)
 {
     static const std::optional<std::ptrdiff_t> begin = find_begin_of_list();
     if (!begin)
-        throw std::runtime_error("this version of ODE keeps the bodies of a world in an unknown way");
+        throw std::runtime_error(
+            "this version of ODE stores the bodies of a world in an unknown way: use a loop in one thread");
     return *reinterpret_cast<dBodyID *>(reinterpret_cast<char *>(world) + *begin);
 }
 

@@ -38,14 +38,14 @@ std::string reason(int error)
 std::string SchedulingOutcome::text() const
 {
     if (!asked)
-        return "Neither real-time priority nor locked memory was asked for.";
+        return "Neither real-time priority nor locked memory was requested.";
     std::string text = priority_error == 0 ? "The servo has real-time priority. "
                                            : "No real-time priority" + reason(priority_error) +
                                                  ": other programs can delay the servo. ";
     text += memory_error == 0 ? "Memory is locked."
                               : "Memory is not locked" + reason(memory_error) + ": paging can delay the servo.";
     if (refused())
-        text += " Limits permit it, rtprio and memlock in /etc/security/limits.conf.";
+        text += " To permit it, set rtprio and memlock in /etc/security/limits.conf.";
     return text;
 }
 

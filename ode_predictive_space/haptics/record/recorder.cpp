@@ -45,7 +45,7 @@ Recorder::Recorder(const std::string &file, const Capabilities &device, const st
     : name_(file), buffer_(capacity)
 {
     if (capacity == 0)
-        throw std::invalid_argument("recording " + file + ": a buffer for no ticks");
+        throw std::invalid_argument("recording " + file + ": the buffer must hold at least one tick");
     errno = 0;
     file_.open(file);
     if (!file_)

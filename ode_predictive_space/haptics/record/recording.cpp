@@ -31,7 +31,8 @@ template <class Number> void read(std::string_view word, Number &number)
 {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number))
-        throw std::invalid_argument("\"" + std::string(word) + "\" is not a number that can be there, or not finite");
+        throw std::invalid_argument("\"" + std::string(word) +
+                                    "\" is not a number of the expected kind, or it is not finite");
 }
 
 std::optional<std::string_view> after(std::string_view mark, std::string_view line)
@@ -68,7 +69,7 @@ public:
     Recording finish()
     {
         if (recording_.ticks.empty())
-            throw std::invalid_argument("there is no tick in it");
+            throw std::invalid_argument("it has no ticks");
         recording_.has_forces = columns_ >= 12;
         recording_.has_velocities = columns_ >= 18;
         return std::move(recording_);

@@ -69,7 +69,7 @@ ReplayDevice::ReplayDevice(const std::string &file) : SoftwareDevice("replay of 
 ReplayDevice::ReplayDevice(Recording recording) : SoftwareDevice("replay of a run", 6)
 {
     if (recording.ticks.empty())
-        throw std::invalid_argument("replay: a recording without ticks");
+        throw std::invalid_argument("replay: the recording has no ticks");
     take_in(std::move(recording));
 }
 

@@ -15,7 +15,9 @@ constexpr std::chrono::seconds longest_wait(5);
 [[noreturn]] void terminate_with(const char *what) noexcept
 {
     open_gates::end_all_forces();
-    std::fprintf(stderr, "ode_predictive_space: %s was destroyed while its loop was running\n", what);
+    std::fprintf(
+        stderr, "ode_predictive_space: %s was destroyed while its loop was running; the program aborts without force\n",
+        what);
     std::abort();
 }
 } // namespace

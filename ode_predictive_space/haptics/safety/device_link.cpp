@@ -38,10 +38,10 @@ const char *nonsense_in(const DeviceState &state, const Eigen::AlignedBox3d &wor
                            state.orientation.coeffs().allFinite() && state.linear_velocity.allFinite() &&
                            state.angular_velocity.allFinite();
     if (!is_finite)
-        return "The device tells a position, a velocity or a time that is not a number.";
+        return "The device gives a position, a velocity or a time that is not finite.";
     const bool is_far_off = !workspace.isEmpty() &&
                             workspace.exteriorDistance(state.position) > std::max(1.0, 2 * workspace.diagonal().norm());
-    return is_far_off ? "The device tells a position far outside of its workspace." : nullptr;
+    return is_far_off ? "The device gives a position far outside of its workspace." : nullptr;
 }
 } // namespace
 
@@ -97,7 +97,7 @@ template <typename Call> bool DeviceLink::attempt(const Call &call)
     }
     catch (...)
     {
-        fail("The device has thrown something that is no std::exception.");
+        fail("The device's driver has thrown an exception of an unknown type.");
     }
     return false;
 }
@@ -111,7 +111,7 @@ bool DeviceLink::follow(const DeviceState &state, double rate)
     }
     if (is_silent(state, std::min(capabilities().rate, rate)))
     {
-        fail("The device has told nothing new for too long.");
+        fail("The device has given no new state for too long.");
         return false;
     }
     state_ = state;

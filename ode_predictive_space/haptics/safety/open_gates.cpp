@@ -84,8 +84,8 @@ void notify(std::string_view sentence) noexcept
 
 extern "C" void kill_hanging_program(int number)
 {
-    notify("ode_predictive_space: The program hangs in the device's driver at its end, and is killed: "
-           "only the device itself can remove its force.\n");
+    notify("ode_predictive_space: The program hangs in the device's driver at its end, and is killed. "
+           "The device may keep its last force: switch it off.\n");
     raise(number); // which has its default action now
 }
 
@@ -125,7 +125,7 @@ extern "C" void end_forces_and_abort(int number)
     if (!is_empty())
     {
         end_all_forces();
-        notify("ode_predictive_space: The program ends: no force any more.\n");
+        notify("ode_predictive_space: The program aborts: no force any more.\n");
     }
     sigaction(SIGABRT, &earlier_abort_action, nullptr);
     raise(number);
@@ -149,7 +149,7 @@ void add(DeviceGate &gate)
     guard_program_end();
     with_lock(changes, [&] {
         if (find_place([&](const DeviceGate *other) { return other != nullptr && &other->device() == &gate.device(); }))
-            throw std::logic_error("Another probe renders to this device: one of them would have no guard");
+            throw std::logic_error("Another probe renders to this device; a device can have one probe");
         Place &place = free_place();
         place.shut_by = std::thread::id();
         place.gate = &gate;

@@ -69,21 +69,22 @@ SafetyLimits SafetyLimits::of(const Capabilities &capabilities)
 const char *explanation_of(SafetyAction action)
 {
     static constexpr const char *explanations[safety_action_count] = {
-        "No force, as a number was not finite: the law or the device gave nonsense.",
-        "No force, as the hand moved faster than the limit: it may be the device that throws it.",
-        "No force yet, as it has not been small since the start: the probe is in something, or its body is elsewhere.",
-        "No force, as the device cannot push: its maximum of force is 0.",
-        "Less force than requested, as it comes back slowly after the start or a fault.",
+        "No force, as the law or the device gave a number that is not finite.",
+        "No force, as the hand moved faster than the limit; the device may be throwing it.",
+        "No force yet, as the request was never small since the start: the probe is inside of something, or its tool "
+        "body is elsewhere.",
+        "No force, as the device's maximum force is 0 or unknown.",
+        "Less force than requested, as it grows slowly after the start or a fault.",
         "Less force than requested, as it was above the device's maximum.",
-        "The force follows the requested one late, as that changed too fast.",
-        "Less force than requested, as the watchdog holds it back."};
+        "The force follows the requested one with a delay, as that changed too fast.",
+        "Less force than requested, as the watchdog reduces it."};
     return explanations[static_cast<int>(action)];
 }
 
 SafetyStage::SafetyStage(const SafetyLimits &limits) : limits_(limits)
 {
-    check_not_negative(limits.max_force, "maximum of force");
-    check_not_negative(limits.max_torque, "maximum of torque");
+    check_not_negative(limits.max_force, "maximum force");
+    check_not_negative(limits.max_torque, "maximum torque");
     check_not_negative(limits.max_force_rate, "maximum rate of force");
     check_not_negative(limits.max_torque_rate, "maximum rate of torque");
     check_not_negative(limits.max_speed, "maximum speed of the hand");

@@ -32,12 +32,12 @@ std::string nonsense(const Rendering &rendering)
         return sentence("A damping of ", rendering.damping,
                         " N s/m cannot be rendered: it must be finite and not negative.");
     if (!std::isfinite(rendering.rate) || rendering.rate <= 0)
-        return sentence("A servo loop at ", rendering.rate, " Hz is none: the rate must be finite and above zero.");
+        return sentence("A servo loop cannot run at ", rendering.rate, " Hz: the rate must be finite and above zero.");
     if (!is_amount(rendering.delay))
-        return sentence("A delay of ", rendering.delay, " s is none: it must be finite and not negative.");
+        return sentence("A delay of ", rendering.delay, " s is impossible: it must be finite and not negative.");
     if (rendering.device_damping && !is_amount(*rendering.device_damping))
         return sentence("A device with a damping of ", *rendering.device_damping,
-                        " N s/m is none: it must be finite and not negative.");
+                        " N s/m is impossible: it must be finite and not negative.");
     return "";
 }
 
@@ -97,8 +97,8 @@ StabilityVerdict check_stability(const Capabilities &capabilities, const Renderi
     if (rendering.device_damping && pushes && !(verdict.damping < *rendering.device_damping))
     {
         return {StabilityOutcome::refused, 0, 0,
-                sentence("Nothing is passive with a damping of ", verdict.damping, " N s/m, as the device itself has ",
-                         *rendering.device_damping, " N s/m, which is not more.")};
+                sentence("No stiffness is passive with a damping of ", verdict.damping,
+                         " N s/m, as the device's own damping, ", *rendering.device_damping, " N s/m, is not larger.")};
     }
     if (const double most = renderable(capabilities, rendering).stiffness; most < verdict.stiffness)
     {

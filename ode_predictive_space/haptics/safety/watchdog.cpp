@@ -17,9 +17,9 @@ constexpr double longest_decay = 0.01; // s
 const char *explanation_of(WatchdogReason reason)
 {
     static constexpr const char *explanations[watchdog_reason_count] = {
-        "All is well.", "The force is taken away, as the device does not answer.",
-        "The force is taken away, as the scene has not been stepped for too long.",
-        "The force is taken away, as the servo loop misses its deadlines."};
+        "There is no fault.", "The force is removed, as the device does not answer.",
+        "The force is removed, as the scene has not been stepped for too long.",
+        "The force is removed, as the servo loop misses its deadlines."};
     return explanations[static_cast<int>(reason)];
 }
 

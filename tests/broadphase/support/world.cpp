@@ -212,7 +212,7 @@ std::string World::violated_invariant() const
         if (state != PairState::active)
             states_hold &= boxes_and_spheres_overlap(pair.first, pair.second) == (state == PairState::overlapping);
     });
-    return states_hold ? wrong_pair(sorted_pairs(near)) : "what is known of a pair at rest is wrong";
+    return states_hold ? wrong_pair(sorted_pairs(near)) : "the state of a resting pair is wrong";
 }
 
 const Object &World::seen(ProxyId id) const

@@ -27,4 +27,4 @@ ldd "$program" | awk '$1 ~ /^libode/ { print $3 }' | xargs --no-run-if-empty cp 
 find "$folder" -type f -exec chmod 755 {} + # there may be none
 export LD_LIBRARY_PATH=$folder # a set-user-ID program does not follow this either
 expect 0755 "$SPNAV_SOCKET: No such file"
-expect 4755 "SPNAV_SOCKET is set, which a set-user-ID program does not follow"
+expect 4755 "SPNAV_SOCKET is set, which a set-user-ID program ignores: unset it"

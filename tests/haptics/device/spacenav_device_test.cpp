@@ -179,13 +179,13 @@ TEST_F(Spacenav, IsLostWhenTheServerEnds)
         catch (const DeviceError &error)
         {
             EXPECT_EQ(error.fault(), DeviceFault::lost);
-            EXPECT_PRED_FORMAT2(testing::IsSubstring, "spacenavd has gone", error.what());
+            EXPECT_PRED_FORMAT2(testing::IsSubstring, "spacenavd has ended", error.what());
         }
     }
     EXPECT_THROW(device.write({}), DeviceError);
     EXPECT_TRUE(device.status().open);
     EXPECT_FALSE(device.status().ready);
-    EXPECT_PRED_FORMAT2(testing::IsSubstring, "spacenavd has gone", device.status().explanation);
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "spacenavd has ended", device.status().explanation);
 }
 
 TEST_F(Spacenav, IsLostWhenTheMouseIsUnplugged)

@@ -80,7 +80,7 @@ TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
     ASSERT_GT(report.trial_messages, 1U) << "or the scene does not show it";
     int given = 0;
     for (const Notice &notice : notices.all())
-        given += notice.sentence().find("ODE has messages") != std::string::npos ? 1 : 0;
+        given += notice.sentence().find("ODE gives messages") != std::string::npos ? 1 : 0;
     EXPECT_EQ(given, 1);
 }
 } // namespace

@@ -96,7 +96,7 @@ TEST_F(LoopGuardTest, ADriverThatHangsIsToldOfOnce)
     guard.beat(clock_.now());
     gate.write(Wrench());
     EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
-    EXPECT_NE(notices_.text(NoticeKind::guard).find("stuck in the device's driver"), std::string::npos);
+    EXPECT_NE(notices_.text(NoticeKind::guard).find("hangs in the device's driver"), std::string::npos);
 }
 
 TEST_F(LoopGuardTest, ASinkThatWaitsDoesNotKeepItFromWatching)
@@ -152,7 +152,7 @@ TEST_F(LoopGuardTest, TakesTheForceWhenTheClockGoesBack)
     EXPECT_TRUE(taken);
     guard.end(); // its thread has written the force
     EXPECT_TRUE(device_.last_wrench().force.isZero(0));
-    EXPECT_NE(notices_.text(NoticeKind::guard).find("gone back"), std::string::npos);
+    EXPECT_NE(notices_.text(NoticeKind::guard).find("went backwards"), std::string::npos);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

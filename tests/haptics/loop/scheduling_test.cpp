@@ -74,7 +74,7 @@ TEST(Scheduling, ALoopThatIsRefusedRunsAllTheSameAndSaysSo)
 TEST(Scheduling, TextsTellWhatWasGrantedAndTheRemedyForWhatWasNot)
 {
     SchedulingOutcome outcome;
-    EXPECT_EQ(outcome.text(), "Neither real-time priority nor locked memory was asked for.");
+    EXPECT_EQ(outcome.text(), "Neither real-time priority nor locked memory was requested.");
     EXPECT_FALSE(outcome.refused());
     outcome.asked = true;
     EXPECT_FALSE(outcome.refused());

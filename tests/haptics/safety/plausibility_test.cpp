@@ -168,7 +168,7 @@ TEST_F(PlausibilityTest, AMaximumOfForceThatIsNotToldIsANotice)
     HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
     world_.run(probe, reach_ticks);
     EXPECT_EQ(notices_.count(NoticeKind::safety), 1);
-    EXPECT_NE(notices_.text(NoticeKind::safety).find("maximum of force is 0"), std::string::npos);
+    EXPECT_NE(notices_.text(NoticeKind::safety).find("maximum force is 0"), std::string::npos);
 }
 
 class AppearingObjectTest : public HapticProbeTest, public testing::WithParamInterface<bool>

@@ -91,7 +91,7 @@ protected:
     static void expect_abort(const ProgramEnd &end)
     {
         EXPECT_TRUE(end.died_of(SIGABRT)) << end.status << (end.hung ? " hung" : "");
-        EXPECT_TRUE(end.says("The program ends: no force any more")) << end.messages;
+        EXPECT_TRUE(end.says("The program aborts: no force any more")) << end.messages;
     }
 
 private:

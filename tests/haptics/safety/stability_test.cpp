@@ -147,8 +147,9 @@ TEST(Stability, MoreDampingThanTheDeviceHasIsRefused)
     rendering.device_damping = 0.4;
     rendering.damping = 0.4;
     EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::refused);
-    EXPECT_EQ(check_stability(desktop(), rendering).reason,
-              "Nothing is passive with a damping of 0.4 N s/m, as the device itself has 0.4 N s/m, which is not more.");
+    EXPECT_EQ(
+        check_stability(desktop(), rendering).reason,
+        "No stiffness is passive with a damping of 0.4 N s/m, as the device's own damping, 0.4 N s/m, is not larger.");
     rendering.stiffness = 0;
     rendering.damping = 0;
     rendering.device_damping = 0;
