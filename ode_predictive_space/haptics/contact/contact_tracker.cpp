@@ -146,17 +146,6 @@ void ContactTracker::insert(NearbyGeom geom, double distance)
     near_.add(std::move(geom), course_.start, farthest_carried * radius_, distance);
 }
 
-void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
-{
-    geoms.geoms.clear();
-    for (const HeldGeom &held : near_.list())
-    {
-        geoms.geoms.push_back(held.geom);
-        geoms.geoms.back().note_contacts();
-    }
-    geoms.time = time;
-}
-
 /// m; maximum displacement of the proxy in this tick that explains a change of the force.
 double ContactTracker::travel_of_force() const
 {
@@ -382,19 +371,11 @@ double ContactTracker::report_planes(const Vector3 &lag)
         if (!touched && !(near && margin_ > 0))
             continue;
         const NearbyGeom &geom = *places_[plane.place].geom;
-        Touch touch;
-        touch.point = plane.feature.point;
-        touch.normal = plane.feature.normal;
+        Touch touch = geom.touch_of(plane.feature);
         touch.depth = touched ? std::max(0.0, plane.depth) : plane.depth;
-        touch.surface_velocity = geom.velocity_at(touch.point);
-        touch.mobility = geom.mobility_at(touch.point, touch.normal);
-        touch.response_time = geom.step();
-        touch.arm = geom.arm_of(touch.point);
-        touch.object = geom.object();
         touch.from_entry_side = true;
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
-        touch.material = geom.material();
         reported_.now.push_back({geom.id(), touch});
     }
     return carried;

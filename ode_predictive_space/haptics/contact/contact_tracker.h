@@ -40,7 +40,7 @@ struct TouchesOfTick
 ///
 /// With two threads there are two trackers. The servo's owns the sides of entry: in each tick it gets the geoms that
 /// the scene's tracker found at the last step, moved to their present poses. The scene's continues from the servo's
-/// memory: adopt(), then hand_over() after all add_if_near().
+/// memory: adopt(), and near() after all add_if_near().
 class ContactTracker
 {
 public:
@@ -90,7 +90,8 @@ public:
 
     bool exceeds_capacity() const { return near_.exceeds_capacity(); }
 
-    void hand_over(NearbyGeoms &geoms, double time) const;
+    /// The geoms around the tool, the nearest first.
+    const std::vector<HeldGeom> &near() const { return near_.list(); }
 
     void follow();
 

@@ -73,13 +73,12 @@ void SceneMotion::push_all(double h)
     waiting_.clear();
 }
 
-void SceneMotion::predict(const ContactModel &planes, double time, double period, int affordable,
-                          MotionForecast &forecast)
+void SceneMotion::predict(double time, double period, int affordable, MotionForecast &forecast)
 {
     forecast.time = time;
     forecast.last_included = received_;
     forecast.node_length = period / steps_per_period_;
-    find_touched(planes, forecast);
+    find_touched(forecast);
     if (touched_.empty())
         return;
     std::vector<dBodyID> bodies;
@@ -134,13 +133,18 @@ bool SceneMotion::is_one_awake() const
     });
 }
 
-void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
+/// The deepest touches of bodies that a push moves.
+void SceneMotion::find_touched(MotionForecast &forecast)
 {
     touched_.clear();
     forecast.count = 0;
-    for (std::size_t i = 0; i < planes.count() && touched_.size() < MotionForecast::most_touches; ++i)
+    std::vector<Touch> touches = sensor_.touches();
+    std::partial_sort(touches.begin(), touches.end(), touches.end(),
+                      [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
+    for (const Touch &touch : touches)
     {
-        const Touch &touch = planes.touch(i);
+        if (touched_.size() == MotionForecast::most_touches)
+            return;
         const dBodyID body = sensor_.body_of(touch.object);
         if (body != nullptr && dBodyIsKinematic(body) == 0 &&
             (touched_.empty() || dBodyGetWorld(body) == dBodyGetWorld(touched_.front().body)))
@@ -149,7 +153,6 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
             const Touched &touched = touched_.back();
             MotionForecast::Place &place = forecast.places[forecast.count++];
             place.touch = touch;
-            place.centre = touched.centre;
             place.velocity << from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body));
             place.combination =
                 touched.wrenches.completeOrthogonalDecomposition().solve(Eigen::Matrix<double, 6, 6>::Identity());
