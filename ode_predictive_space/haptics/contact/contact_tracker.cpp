@@ -45,23 +45,19 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     yielding_.reserve(SphereSlide::usual_planes);
     places_.reserve(touch_capacity);
-    reported_.now.reserve(touch_capacity);
-    reported_.before.reserve(touch_capacity);
 }
 
 void ContactTracker::begin()
 {
     near_.renew();
-    reported_.now.swap(reported_.before);
-    reported_.now.clear();
+    reported_.begin();
 }
 
 void ContactTracker::forget()
 {
     course_.has_proxy = false;
     near_.forget();
-    reported_.now.clear();
-    reported_.before.clear();
+    reported_.forget();
     released_ = false;
     carries_on_ = false;
 }
@@ -368,7 +364,7 @@ double ContactTracker::report_planes(const Vector3 &lag)
         const double share = yielding_[i].share;
         const bool touched = share > 0 || (plane.depth > 0 && plane.feature.distance <= radius_ * (1 + in_contact));
         const bool near = plane.depth > -margin_ && plane.feature.distance <= radius_ + margin_;
-        if (!touched && !(near && margin_ > 0))
+        if (!touched && !near)
             continue;
         const NearbyGeom &geom = *places_[plane.place].geom;
         Touch touch = geom.touch_of(plane.feature);

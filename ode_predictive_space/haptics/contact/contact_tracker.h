@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
 #include "ode_predictive_space/haptics/contact/held_geoms.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 #include "ode_predictive_space/haptics/contact/yielding_place.h"
 
@@ -24,12 +25,6 @@ struct TouchOfGeom
 {
     dGeomID geom;
     Touch touch;
-};
-
-struct TouchesOfTick
-{
-    std::vector<TouchOfGeom> now;
-    std::vector<TouchOfGeom> before;
 };
 
 /// Keeps a proxy of the tool, which never passes a surface: in each tick it moves towards the tool. Its place is stored
@@ -53,6 +48,7 @@ public:
     };
 
     void set_margin(double margin) { margin_ = margin; }
+    double margin() const { return margin_; }
 
     /// N/m; for objects without a material. It bounds how fast the proxy may catch up.
     void set_stiffness(double stiffness) { stiffness_ = stiffness; }
@@ -152,7 +148,7 @@ private:
     bool common_ = true;                    ///< all geoms have the same place of the proxy
     std::size_t visited_ = 0;               ///< triangles
     std::vector<ConstraintPlane> yielding_; ///< the planes of the slide, with shares
-    TouchesOfTick reported_;
+    TwoTicks<TouchOfGeom> reported_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -87,8 +87,6 @@ public:
 
     bool is_movable() const { return !mobility_.is_zero(); }
 
-    double inverse_mass() const { return mobility_.inverse_mass; } ///< 1/kg
-
     /// 1/kg; speed of a place of the surface along a direction of length 1 per impulse, for the free body.
     double mobility_at(const Vector3 &point, const Vector3 &direction) const
     {

@@ -275,6 +275,11 @@ void TouchSensor::forget_sides()
 
 void TouchSensor::clear()
 {
+    if (parts_->tracker)
+    {
+        parts_->resolve(); // also for a tick whose touches were not queried
+        parts_->tracker->begin();
+    }
     parts_->touches.clear();
     parts_->collided.clear();
     parts_->bodies.age();
@@ -282,12 +287,6 @@ void TouchSensor::clear()
     parts_->poses.begin();
     parts_->meshes.begin(steps_of_tick);
     parts_->nonsense = false;
-    if (parts_->tracker)
-    {
-        parts_->resolve(); // also for a tick whose touches were not queried
-        parts_->tracker->begin();
-        parts_->touches.clear();
-    }
 }
 
 void TouchSensor::pose(const ToolState &tool)
@@ -306,7 +305,7 @@ void TouchSensor::pose(const ToolState &tool)
     parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
     const double reach = PoseWatch::fastest * parts_->place.tick; // m; the distance that a geom may travel in a tick
-    geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - geom.margin()));
+    geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - parts_->tracker->margin()));
     parts_->resolved = false;
 }
 

@@ -14,7 +14,6 @@ namespace ode_predictive_space::haptics::hd
 {
 using Handle = std::uint32_t;
 using Enum = std::uint32_t;
-using Boolean = std::uint8_t;
 using SchedulerHandle = unsigned long;
 using Callback = std::uint32_t (*)(void *);
 
