@@ -212,13 +212,11 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.touch = touch;
     touched.centre = from_ode(dBodyGetPosition(body));
     touched.orientation = tool_state_of(body).orientation;
-    dMass mass;
-    dBodyGetMass(body, &mass);
-    const Eigen::Matrix3d turn = touched.orientation.toRotationMatrix();
-    touched.inertia.setZero();
-    touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
-    touched.inertia.bottomRightCorner<3, 3>() = turn * inertia_of(mass) * turn.transpose();
-    touched.inverse_inertia = touched.inertia.inverse();
+    const Mobility mobility = Mobility::of(body);
+    touched.inverse_inertia.setZero();
+    touched.inverse_inertia.topLeftCorner<3, 3>() = mobility.inverse_mass * Eigen::Matrix3d::Identity();
+    touched.inverse_inertia.bottomRightCorner<3, 3>() = mobility.inverse_inertia;
+    touched.inertia = touched.inverse_inertia.inverse();
     touched.pushes = pushes_on(touched);
     int column = 0;
     for (const BodyImpulse &push : touched.pushes)
