@@ -23,15 +23,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-void add_wrench(dBodyID body, const Wrench &wrench)
-{
-    if (wrench.force.isZero(0) && wrench.torque.isZero(0))
-        return;
-    dBodyEnable(body);
-    call_ode(&dBodyAddForce, body, wrench.force);
-    call_ode(&dBodyAddTorque, body, wrench.torque);
-}
-
 double smallest_inertia(const dMass &mass)
 {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia_of(mass), Eigen::EigenvaluesOnly)
@@ -56,7 +47,9 @@ public:
         if (const dBodyID body = tool_watch.find(tool))
         {
             const CouplingProperties possible = coupling_of(body, dt);
-            add_wrench(body, renderer.render(possible, as_held(tool_state_of(body)), dt));
+            const Wrench wrench = renderer.render(possible, as_held(tool_state_of(body)), dt);
+            if (!wrench.force.isZero(0) || !wrench.torque.isZero(0))
+                push_body(body, wrench.force, wrench.torque);
             return;
         }
         notify_of_loss("No force: the tool's body was destroyed.");
@@ -71,12 +64,9 @@ public:
         dBodyGetMass(body, &mass);
         const CouplingProperties possible =
             bounded(coupling, static_cast<double>(mass.mass), smallest_inertia(mass), dt);
-        const NoticeSink &sink = renderer.notice_sink();
-        if (!is_same(possible, coupling) && !std::exchange(notified_of_light_tool, true) && sink)
-        {
-            sink(Notice(NoticeKind::stability, renderer.last_tick().time,
-                        "The coupling is softer or less damped than requested, as the tool's body is too light."));
-        }
+        if (!is_same(possible, coupling))
+            notify_once(notified_of_light_tool, NoticeKind::stability,
+                        "The coupling is softer or less damped than requested, as the tool's body is too light.");
         return possible;
     }
 
@@ -99,21 +89,21 @@ public:
                 "No force: the probe's geom was destroyed with its space. Destroy the probe before the space.");
     }
 
-    void notify_of_loss(std::string_view sentence) { notify_once(notified_of_loss, sentence); }
+    void notify_of_loss(std::string_view sentence) { notify_once(notified_of_loss, NoticeKind::contact, sentence); }
 
     void notify_of_contact()
     {
         if (sensor->is_reading())
-            notify_once(notified_of_reading, reading_notice);
+            notify_once(notified_of_reading, NoticeKind::contact, reading_notice);
         if (sensor->exceeds_capacity())
-            notify_once(notified_of_capacity, capacity_notice);
+            notify_once(notified_of_capacity, NoticeKind::contact, capacity_notice);
     }
 
-    void notify_once(bool &notified, std::string_view sentence)
+    void notify_once(bool &notified, NoticeKind kind, std::string_view sentence)
     {
         const NoticeSink &sink = renderer.notice_sink();
         if (!std::exchange(notified, true) && sink)
-            sink(Notice(NoticeKind::contact, renderer.last_tick().time, sentence));
+            sink(Notice(kind, renderer.last_tick().time, sentence));
     }
 
     std::mutex run_mutex; ///< guards run

@@ -184,8 +184,7 @@ public:
         Wrench at_device = workspace.mapping.to_device(requested);
         if (passivity && !workspace.mapping.clutched())
         {
-            passivity->set_delay(static_cast<int>(std::lround(
-                std::min(1.0, delay() / dt / PassivityController::most_delay) * PassivityController::most_delay)));
+            passivity->set_delay(delay() / dt);
             at_device.force = passivity->control(tick.state, at_device.force, dt);
         }
         Vector3 velocity = tick.state.linear_velocity;

@@ -951,7 +951,7 @@ def haptic_faults():
         "std::exchange(busy_beat_, beat) == -1", (("haptics", "LoopGuardTest.*"),))
     yield Fault(
         "the_shallowest_contact_of_an_object", "haptics", SOURCES + "haptics/contact/touch_sensor.cpp",
-        "touch.depth > known->depth", "touch.depth < known->depth", (("haptics", "TouchSensorTest.*"),))
+        "touch.depth > known->touch_at(place.centre).depth", "touch.depth < known->touch_at(place.centre).depth", (("haptics", "TouchSensorTest.*"),))
 
 
 FAULTS = tuple(

@@ -16,6 +16,7 @@
 namespace ode_predictive_space::haptics
 {
 class ContactTracker;
+class NearbyGeom;
 
 /// Returns the material of a geom, or nothing for the force law's.
 using MaterialOf = std::function<std::optional<Material>(dGeomID)>;
@@ -141,6 +142,9 @@ public:
 
     /// The tracker of the sensor's sphere, for loops of two threads; 0 for other geoms.
     ContactTracker *tracker();
+    /// For loops of two threads, after touches(): copies the near geoms, as the servo needs them.
+    void hand_over(std::vector<NearbyGeom> &geoms) const;
+
     /// The radius of the sensor's sphere, m.
     double radius() const;
 

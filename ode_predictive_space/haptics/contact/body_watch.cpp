@@ -43,11 +43,7 @@ bool BodyWatch::push(std::uintptr_t object, const Vector3 &force, const Vector3 
     const dBodyID body = find(object);
     if (body == nullptr)
         return false;
-    const Vector3 point = from_ode(dBodyGetPosition(body)) + arm;
-    dBodyEnable(body);
-    dBodyAddForceAtPos(body, static_cast<dReal>(force.x()), static_cast<dReal>(force.y()),
-                       static_cast<dReal>(force.z()), static_cast<dReal>(point.x()), static_cast<dReal>(point.y()),
-                       static_cast<dReal>(point.z()));
+    push_body(body, force, arm.cross(force));
     return true;
 }
 } // namespace ode_predictive_space::haptics

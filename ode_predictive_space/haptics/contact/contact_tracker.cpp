@@ -45,23 +45,19 @@ ContactTracker::ContactTracker(double radius) : radius_(radius)
 {
     yielding_.reserve(SphereSlide::usual_planes);
     places_.reserve(touch_capacity);
-    reported_.now.reserve(touch_capacity);
-    reported_.before.reserve(touch_capacity);
 }
 
 void ContactTracker::begin()
 {
     near_.renew();
-    reported_.now.swap(reported_.before);
-    reported_.now.clear();
+    reported_.begin();
 }
 
 void ContactTracker::forget()
 {
     course_.has_proxy = false;
     near_.forget();
-    reported_.now.clear();
-    reported_.before.clear();
+    reported_.forget();
     released_ = false;
     carries_on_ = false;
 }
@@ -144,17 +140,6 @@ void ContactTracker::add_if_near(NearbyGeom geom)
 void ContactTracker::insert(NearbyGeom geom, double distance)
 {
     near_.add(std::move(geom), course_.start, farthest_carried * radius_, distance);
-}
-
-void ContactTracker::hand_over(NearbyGeoms &geoms, double time) const
-{
-    geoms.geoms.clear();
-    for (const HeldGeom &held : near_.list())
-    {
-        geoms.geoms.push_back(held.geom);
-        geoms.geoms.back().note_contacts();
-    }
-    geoms.time = time;
 }
 
 /// m; maximum displacement of the proxy in this tick that explains a change of the force.
@@ -379,22 +364,14 @@ double ContactTracker::report_planes(const Vector3 &lag)
         const double share = yielding_[i].share;
         const bool touched = share > 0 || (plane.depth > 0 && plane.feature.distance <= radius_ * (1 + in_contact));
         const bool near = plane.depth > -margin_ && plane.feature.distance <= radius_ + margin_;
-        if (!touched && !(near && margin_ > 0))
+        if (!touched && !near)
             continue;
         const NearbyGeom &geom = *places_[plane.place].geom;
-        Touch touch;
-        touch.point = plane.feature.point;
-        touch.normal = plane.feature.normal;
+        Touch touch = geom.touch_of(plane.feature);
         touch.depth = touched ? std::max(0.0, plane.depth) : plane.depth;
-        touch.surface_velocity = geom.velocity_at(touch.point);
-        touch.mobility = geom.mobility_at(touch.point, touch.normal);
-        touch.response_time = geom.step();
-        touch.arm = geom.arm_of(touch.point);
-        touch.object = geom.object();
         touch.from_entry_side = true;
         touch.carry = {share, carried > 0 ? Vector3(share / carried * lag) : Vector3(Vector3::Zero())};
         touch.is_solved = true;
-        touch.material = geom.material();
         reported_.now.push_back({geom.id(), touch});
     }
     return carried;

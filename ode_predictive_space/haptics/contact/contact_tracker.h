@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_CONTACT_TRACKER_H
 
 #include "ode_predictive_space/haptics/contact/held_geoms.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/contact/sphere_slide.h"
 #include "ode_predictive_space/haptics/contact/yielding_place.h"
 
@@ -26,12 +27,6 @@ struct TouchOfGeom
     Touch touch;
 };
 
-struct TouchesOfTick
-{
-    std::vector<TouchOfGeom> now;
-    std::vector<TouchOfGeom> before;
-};
-
 /// Keeps a proxy of the tool, which never passes a surface: in each tick it moves towards the tool. Its place is stored
 /// in the frame of each geom, so that moving geoms carry it. The surfaces that hold the proxy off the tool are touched.
 ///
@@ -40,7 +35,7 @@ struct TouchesOfTick
 ///
 /// With two threads there are two trackers. The servo's owns the sides of entry: in each tick it gets the geoms that
 /// the scene's tracker found at the last step, moved to their present poses. The scene's continues from the servo's
-/// memory: adopt(), then hand_over() after all add_if_near().
+/// memory: adopt(), and near() after all add_if_near().
 class ContactTracker
 {
 public:
@@ -53,6 +48,7 @@ public:
     };
 
     void set_margin(double margin) { margin_ = margin; }
+    double margin() const { return margin_; }
 
     /// N/m; for objects without a material. It bounds how fast the proxy may catch up.
     void set_stiffness(double stiffness) { stiffness_ = stiffness; }
@@ -90,7 +86,8 @@ public:
 
     bool exceeds_capacity() const { return near_.exceeds_capacity(); }
 
-    void hand_over(NearbyGeoms &geoms, double time) const;
+    /// The geoms around the tool, the nearest first.
+    const std::vector<HeldGeom> &near() const { return near_.list(); }
 
     void follow();
 
@@ -151,7 +148,7 @@ private:
     bool common_ = true;                    ///< all geoms have the same place of the proxy
     std::size_t visited_ = 0;               ///< triangles
     std::vector<ConstraintPlane> yielding_; ///< the planes of the slide, with shares
-    TouchesOfTick reported_;
+    TwoTicks<TouchOfGeom> reported_;
 };
 } // namespace ode_predictive_space::haptics
 

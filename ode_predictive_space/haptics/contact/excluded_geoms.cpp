@@ -22,27 +22,15 @@ bool is_in(const NearbyGeom &geom, const ProbePlace &probe, double allowed)
 }
 } // namespace
 
-ExcludedGeoms::ExcludedGeoms()
-{
-    reported_.reserve(touch_capacity);
-    before_.reserve(touch_capacity);
-}
-
-void ExcludedGeoms::begin()
-{
-    reported_.swap(before_);
-    reported_.clear();
-}
-
 const ExcludedGeoms::Reported *ExcludedGeoms::before(const GeomIdentity &geom) const
 {
-    return find_in(before_, [&](const Reported &reported) { return reported.geom == geom; });
+    return find_in(reported_.before, [&](const Reported &reported) { return reported.geom == geom; });
 }
 
 bool ExcludedGeoms::excludes(const NearbyGeom &geom, const ProbePlace &probe)
 {
     const bool excluded = must_exclude(geom, probe);
-    reported_.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
+    reported_.now.push_back({geom.identity(), probe.centre, geom.to_local(probe.centre), excluded});
     return excluded;
 }
 
@@ -65,7 +53,7 @@ bool ExcludedGeoms::excludes(dGeomID geom, double depth, const ProbePlace &probe
     const Reported *last = before(reported.geom);
     const bool began_in = probe.begins && depth > std::max(shallow, depth_still_outside * probe.radius);
     reported.excluded = began_in || (last != nullptr && last->excluded && depth > 0);
-    reported_.push_back(reported);
+    reported_.now.push_back(reported);
     return reported.excluded;
 }
 } // namespace ode_predictive_space::haptics

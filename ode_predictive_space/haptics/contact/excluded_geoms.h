@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_EXCLUDED_GEOMS_H
 
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -25,10 +26,8 @@ struct ProbePlace
 class ExcludedGeoms
 {
 public:
-    ExcludedGeoms();
-
     /// Begins a tick. A geom that is not reported in it is no longer excluded.
-    void begin();
+    void begin() { reported_.begin(); }
 
     bool excludes(const NearbyGeom &geom, const ProbePlace &probe);
 
@@ -48,8 +47,7 @@ private:
     const Reported *before(const GeomIdentity &geom) const;
     bool must_exclude(const NearbyGeom &geom, const ProbePlace &probe) const;
 
-    std::vector<Reported> reported_;
-    std::vector<Reported> before_;
+    TwoTicks<Reported> reported_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -9,12 +9,6 @@
 
 namespace ode_predictive_space::haptics
 {
-struct NearbyGeoms
-{
-    std::vector<NearbyGeom> geoms;
-    double time = 0; ///< s; when this was so
-};
-
 /// The places of the proxy that the servo's tracker gives to the scene's.
 struct ContactMemory
 {

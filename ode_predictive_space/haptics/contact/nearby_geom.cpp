@@ -1,5 +1,7 @@
 #include "ode_predictive_space/haptics/contact/nearby_geom.h"
 
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+
 #include <ode/objects.h>
 
 namespace ode_predictive_space::haptics
@@ -41,6 +43,15 @@ NearbyGeom NearbyGeom::behind_plane(dGeomID geom, const Vector3 &point, const Ve
     nearby.solid_ = Solid::half_space(nearby.to_local(point), normal);
     nearby.by_plane_ = true;
     nearby.point_ = point;
+    return nearby;
+}
+
+/// ODE's normal points out of the second geom, towards the probe.
+NearbyGeom NearbyGeom::at_contact(dGeomID geom, const dContactGeom &contact, const Vector3 &tool)
+{
+    const Vector3 point = from_ode(contact.pos), normal = from_ode(contact.normal);
+    NearbyGeom nearby = behind_plane(geom, point, normal);
+    nearby.lever_ = point - static_cast<double>(contact.depth) * normal - tool;
     return nearby;
 }
 
@@ -143,6 +154,21 @@ SurfaceFeature NearbyGeom::nearest_of(const SurfaceFeature &feature, const Vecto
                                 : solid_.nearest(to_local(point));
     move_to_scene(seen);
     return seen;
+}
+
+Touch NearbyGeom::touch_of(const SurfaceFeature &feature) const
+{
+    Touch touch;
+    touch.point = feature.point;
+    touch.normal = feature.normal;
+    touch.depth = -feature.distance;
+    touch.surface_velocity = velocity_at(touch.point);
+    touch.mobility = mobility_at(touch.point, touch.normal);
+    touch.response_time = step_;
+    touch.arm = arm_of(touch.point);
+    touch.object = object_;
+    touch.material = material_;
+    return touch;
 }
 
 void NearbyGeom::move_to_scene(SurfaceFeature &feature) const

@@ -11,6 +11,7 @@
 #include "ode_predictive_space/haptics/touch.h"
 
 #include <memory>
+#include <ode/contact.h>
 #include <optional>
 
 namespace ode_predictive_space::haptics
@@ -44,6 +45,11 @@ public:
     ///
     /// @param point m; on the surface. @param normal of length 1, towards the proxy; both in the scene's frame.
     static NearbyGeom behind_plane(dGeomID geom, const Vector3 &point, const Vector3 &normal);
+
+    /// The other geom of a contact of dCollide() with a geom of the program at the tool, as such a half-space.
+    ///
+    /// @param tool m; the contact is at a lever from it.
+    static NearbyGeom at_contact(dGeomID geom, const dContactGeom &contact, const Vector3 &tool);
 
     static NearbyGeom of(const ProbeTool &tool);
 
@@ -81,8 +87,6 @@ public:
 
     bool is_movable() const { return !mobility_.is_zero(); }
 
-    double inverse_mass() const { return mobility_.inverse_mass; } ///< 1/kg
-
     /// 1/kg; speed of a place of the surface along a direction of length 1 per impulse, for the free body.
     double mobility_at(const Vector3 &point, const Vector3 &direction) const
     {
@@ -113,6 +117,13 @@ public:
     /// The nearest place of the feature's triangle, or of the solid, to another point.
     SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
 
+    /// The touch of a feature, from the feature's side.
+    Touch touch_of(const SurfaceFeature &feature) const;
+
+    /// The touch of at_contact() with the geom of the program at another tool, which does not turn; outside, its depth
+    /// is below 0.
+    Touch touch_at(const Vector3 &tool) const { return touch_of(nearest_of(SurfaceFeature(), tool + lever_)); }
+
     /// Whether a point inside may leave in any direction.
     bool is_solid() const { return solid_.is_known(); }
 
@@ -134,6 +145,7 @@ private:
     bool is_field_ = false;           ///< the mesh is that of a heightfield
     bool by_plane_ = false;           ///< the solid is a plane from dCollide()
     Vector3 point_ = Vector3::Zero(); ///< m; the point of that plane on the surface
+    Vector3 lever_ = Vector3::Zero(); ///< m; from the tool to the point of the program's geom behind the surface
 };
 } // namespace ode_predictive_space::haptics
 

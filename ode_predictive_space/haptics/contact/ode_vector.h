@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/device.h"
 
 #include <ode/mass.h>
+#include <ode/objects.h>
 
 namespace ode_predictive_space::haptics
 {
@@ -26,6 +27,22 @@ template <typename Object>
 void call_ode(void (*function)(Object, dReal, dReal, dReal), Object object, const Vector3 &vector)
 {
     function(object, static_cast<dReal>(vector.x()), static_cast<dReal>(vector.y()), static_cast<dReal>(vector.z()));
+}
+
+/// As above, for a function that takes a quaternion.
+template <typename Object> void call_ode(void (*function)(Object, const dReal *), Object object, const Quaternion &turn)
+{
+    const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
+                                    static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
+    function(object, quaternion);
+}
+
+/// Adds a force and a moment about the centre of mass, and enables a disabled body.
+inline void push_body(dBodyID body, const Vector3 &force, const Vector3 &moment)
+{
+    dBodyEnable(body);
+    call_ode(&dBodyAddForce, body, force);
+    call_ode(&dBodyAddTorque, body, moment);
 }
 } // namespace ode_predictive_space::haptics
 

@@ -1,8 +1,6 @@
 #include "ode_predictive_space/haptics/contact/pose_watch.h"
 
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
-#include "ode_predictive_space/haptics/contact/short_list.h"
-#include "ode_predictive_space/haptics/touch.h"
 
 #include <ode/collision.h>
 #include <ode/objects.h>
@@ -46,38 +44,14 @@ Motion body_motion_of(dGeomID geom, const Pose &pose)
     return {from_ode(dBodyGetPosition(body)), from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body))};
 }
 
-PoseWatch::PoseWatch()
-{
-    now_.reserve(touch_capacity);
-    before_.reserve(touch_capacity);
-}
-
-void PoseWatch::begin()
-{
-    now_.swap(before_);
-    now_.clear();
-    next_ = 0;
-}
-
-const PoseWatch::Seen *PoseWatch::seen_before(dGeomID geom, std::uintptr_t object)
-{
-    for (std::size_t i = 0; i < before_.size(); ++i)
-    {
-        const std::size_t place = (next_ + i) % before_.size();
-        if (before_[place].geom == geom && before_[place].object == object)
-        {
-            next_ = place + 1;
-            return &before_[place];
-        }
-    }
-    return nullptr;
-}
-
 Motion PoseWatch::motion_of(dGeomID geom, const Pose &pose, const Vector3 &where, double tick)
 {
     const Motion by_body = body_motion_of(geom, pose);
-    now_.push_back({geom, object_of(geom), pose, by_body});
-    const Seen *last = seen_before(geom, now_.back().object);
+    seen_.now.push_back({geom, object_of(geom), pose, by_body});
+    const auto is_it = [geom, object = object_of(geom)](const Seen &seen) {
+        return seen.geom == geom && seen.object == object;
+    };
+    const Seen *last = find_in(seen_.before, is_it);
     if (last == nullptr || !(tick > 0))
         return by_body;
     const Motion by_poses = between(last->pose, pose, by_body.centre, tick);

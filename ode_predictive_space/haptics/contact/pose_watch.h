@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_POSE_WATCH_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_POSE_WATCH_H
 
-#include "ode_predictive_space/haptics/device.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
 
 #include <cstdint>
 #include <ode/common.h>
@@ -42,9 +42,7 @@ public:
     /// vary.
     static constexpr double fastest = 2.2;
 
-    PoseWatch();
-
-    void begin();
+    void begin() { seen_.begin(); }
 
     /// The motion of the body, or that of the poses if it is faster than the body is now and was a tick ago.
     ///
@@ -60,11 +58,7 @@ private:
         Motion by_body;
     };
 
-    const Seen *seen_before(dGeomID geom, std::uintptr_t object);
-
-    std::vector<Seen> now_;
-    std::vector<Seen> before_;
-    std::size_t next_ = 0; ///< the next candidate in before_; the order of geoms rarely changes
+    TwoTicks<Seen> seen_;
 };
 } // namespace ode_predictive_space::haptics
 

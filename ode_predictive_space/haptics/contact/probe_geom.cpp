@@ -1,5 +1,8 @@
 #include "ode_predictive_space/haptics/contact/probe_geom.h"
 
+#include "ode_predictive_space/haptics/contact/ode_vector.h"
+#include "ode_predictive_space/haptics/contact/scene_geoms.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ode/ode.h>
@@ -94,19 +97,15 @@ void ProbeGeom::become_interactive()
 
 void ProbeGeom::abandon_locked_space()
 {
-    for (dSpaceID space = dGeomGetSpace(geom_); space != nullptr;
-         space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
-        abandoned_ = abandoned_ || dSpaceIsPredictive(space) == 0;
+    for_each_space_of(geom_, [this](dSpaceID space) { abandoned_ = abandoned_ || dSpaceIsPredictive(space) == 0; });
     if (abandoned_)
         dGeomDisable(geom_);
 }
 
 void ProbeGeom::set_margin(double margin)
 {
-    margin_ = margin;
-    dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
     if (may_be_touched())
-        dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin_));
+        dGeomSphereSetRadius(geom_, static_cast<dReal>(radius_ + margin));
 }
 
 std::optional<dContactGeom> ProbeGeom::contact_with(dGeomID other)
@@ -120,12 +119,11 @@ std::optional<dContactGeom> ProbeGeom::contact_with(dGeomID other)
 
 std::optional<dContactGeom> ProbeGeom::contact_with(dGeomID other, const Vector3 &centre, double radius)
 {
-    const dReal *const at = dGeomGetPosition(tool_);
-    const Vector3 before(at[0], at[1], at[2]);
+    const Vector3 before = from_ode(dGeomGetPosition(tool_));
     dGeomSphereSetRadius(tool_, static_cast<dReal>(radius));
     place(tool_, centre);
     const std::optional<dContactGeom> contact = contact_with(other);
-    dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_ + margin_));
+    dGeomSphereSetRadius(tool_, static_cast<dReal>(radius_));
     place(tool_, before);
     return contact;
 }
@@ -136,9 +134,7 @@ void ProbeGeom::follow(const ToolState &tool)
     if (dGeomGetClass(geom_) == dSphereClass || (orientation_ && orientation_->coeffs() == tool.orientation.coeffs()))
         return;
     orientation_ = tool.orientation;
-    const dQuaternion quaternion = {static_cast<dReal>(tool.orientation.w()), static_cast<dReal>(tool.orientation.x()),
-                                    static_cast<dReal>(tool.orientation.y()), static_cast<dReal>(tool.orientation.z())};
-    dGeomSetQuaternion(geom_, quaternion);
+    call_ode(&dGeomSetQuaternion, geom_, tool.orientation);
 }
 
 void ProbeGeom::look_around(const Vector3 &tool, const Vector3 &centre, double radius)

@@ -39,8 +39,8 @@ public:
     dGeomID tool() const { return tool_; }
 
     double radius() const { return radius_; } ///< m; of the library's sphere
-    double margin() const { return margin_; } ///< m; see TouchSensor::set_margin()
 
+    /// Changes the radius of the library's sphere at once; look_around() sets it in each tick.
     void set_margin(double margin);
 
     /// The deepest contact of a geom with the tool, or with a sphere (m); nothing if they do not touch.
@@ -65,8 +65,7 @@ private:
     dGeomID watched_ = nullptr;             ///< geom_, or a sentinel beside a geom of the program that is in a space
     dBodyID watch_ = nullptr;               ///< of watched_; alone in its world
     bool abandoned_ = false;                ///< geom_ must not be touched
-    double radius_ = 0;                     ///< m; without the margin
-    double margin_ = 0;                     ///< m
+    double radius_ = 0;                     ///< m
     std::optional<Quaternion> orientation_; ///< as set last
     std::vector<dContactGeom> contacts_;    ///< buffer for dCollide()
 };

@@ -8,12 +8,18 @@
 
 namespace ode_predictive_space::haptics
 {
+/// Visits the spaces around a geom, which may be 0, from the innermost to the outermost.
+template <typename Visit> void for_each_space_of(dGeomID geom, const Visit &visit)
+{
+    for (dSpaceID space = geom != nullptr ? dGeomGetSpace(geom) : nullptr; space != nullptr;
+         space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
+        visit(space);
+}
+
 inline dSpaceID outermost_space_of(dGeomID geom)
 {
     dSpaceID outermost = nullptr;
-    for (dSpaceID space = geom != nullptr ? dGeomGetSpace(geom) : nullptr; space != nullptr;
-         space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
-        outermost = space;
+    for_each_space_of(geom, [&](dSpaceID space) { outermost = space; });
     return outermost;
 }
 

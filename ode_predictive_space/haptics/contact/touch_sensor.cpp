@@ -102,38 +102,23 @@ public:
     void collide(dGeomID other)
     {
         const Motion motion = poses.motion_of(other, pose_of(other), place.centre, place.tick);
-        if (const std::optional<dContactGeom> contact = geom.contact_with(other))
-            add(*contact, other, motion);
-    }
-
-    // ODE's normal points out of the second geom, towards the probe.
-    void add(const dContactGeom &contact, dGeomID other, const Motion &motion)
-    {
-        Touch touch;
-        touch.point = from_ode(contact.pos);
-        touch.normal = from_ode(contact.normal);
-        touch.depth = static_cast<double>(contact.depth) - geom.margin();
-        if (excluded.excludes(other, touch.depth, place))
+        const std::optional<dContactGeom> contact = geom.contact_with(other);
+        if (!contact || excluded.excludes(other, static_cast<double>(contact->depth), place))
             return;
-        touch.object = object_of(other);
-        touch.material = material_of(other);
-        touch.surface_velocity = motion.velocity_at(touch.point);
+        NearbyGeom nearby = NearbyGeom::at_contact(other, *contact, place.centre);
+        nearby.set_motion(motion);
+        nearby.set_material(material_of(other));
         if (const dBodyID body = dGeomGetBody(other))
-        {
-            touch.arm = touch.point - motion.centre;
-            touch.mobility = Mobility::of(body).along(touch.arm, touch.normal);
             bodies.keep(body);
-        }
+        const Touch touch = nearby.touch_at(place.centre);
+        nonsense = nonsense || !is_finite(touch);
         if (!is_finite(touch))
-        {
-            nonsense = true;
             return;
-        }
-        Touch *known = find_in(collided, [&](const Touch &earlier) { return earlier.object == touch.object; });
+        NearbyGeom *known = find_in(collided, [&](const NearbyGeom &geom) { return geom.object() == touch.object; });
         if (known == nullptr)
-            collided.push_back(touch);
-        else if (touch.depth > known->depth)
-            *known = touch;
+            collided.push_back(std::move(nearby));
+        else if (touch.depth > known->touch_at(place.centre).depth)
+            *known = std::move(nearby);
     }
 
     std::optional<Material> material_of(dGeomID other)
@@ -153,7 +138,9 @@ public:
             return;
         resolved = true;
         exceeds_capacity = false;
-        touches = collided;
+        touches.clear();
+        for (const NearbyGeom &nearby : collided)
+            touches.push_back(nearby.touch_at(place.centre));
         if (tracker)
         {
             if (geom.may_be_touched())
@@ -181,8 +168,8 @@ public:
     BodyWatch bodies;
     Wanted wanted;
     std::vector<Touch> touches;
-    std::vector<Touch> collided; ///< by dCollide()
-    ProbePlace place;            ///< `begins` is set from forget_sides() to the next touches()
+    std::vector<NearbyGeom> collided; ///< with a geom of the program, by dCollide()
+    ProbePlace place;                 ///< `begins` is set from forget_sides() to the next touches()
     bool nonsense = false;
     bool exceeds_capacity = false;
     bool resolved = true; ///< touches is complete
@@ -288,6 +275,11 @@ void TouchSensor::forget_sides()
 
 void TouchSensor::clear()
 {
+    if (parts_->tracker)
+    {
+        parts_->resolve(); // also for a tick whose touches were not queried
+        parts_->tracker->begin();
+    }
     parts_->touches.clear();
     parts_->collided.clear();
     parts_->bodies.age();
@@ -295,12 +287,6 @@ void TouchSensor::clear()
     parts_->poses.begin();
     parts_->meshes.begin(steps_of_tick);
     parts_->nonsense = false;
-    if (parts_->tracker)
-    {
-        parts_->resolve(); // also for a tick whose touches were not queried
-        parts_->tracker->begin();
-        parts_->touches.clear();
-    }
 }
 
 void TouchSensor::pose(const ToolState &tool)
@@ -319,7 +305,7 @@ void TouchSensor::pose(const ToolState &tool)
     parts_->place.centre = parts_->tracker->start();
     const ContactTracker::Region region = parts_->tracker->region();
     const double reach = PoseWatch::fastest * parts_->place.tick; // m; the distance that a geom may travel in a tick
-    geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - geom.margin()));
+    geom.look_around(tool.position, region.centre, region.radius + std::max(0.0, reach - parts_->tracker->margin()));
     parts_->resolved = false;
 }
 
@@ -369,6 +355,16 @@ void TouchSensor::push(const std::vector<ForceShare> &shares)
     for (const ForceShare &share : shares)
         if (!share.force.isZero(0))
             parts_->bodies.push(share.object, -share.force, share.arm);
+}
+
+void TouchSensor::hand_over(std::vector<NearbyGeom> &geoms) const
+{
+    geoms = parts_->collided;
+    if (parts_->tracker)
+        for (const HeldGeom &held : parts_->tracker->near())
+            geoms.push_back(held.geom);
+    for (NearbyGeom &nearby : geoms)
+        nearby.note_contacts();
 }
 
 dBodyID TouchSensor::body_of(std::uintptr_t object) const

@@ -14,7 +14,6 @@ namespace ode_predictive_space::haptics::hd
 {
 using Handle = std::uint32_t;
 using Enum = std::uint32_t;
-using Boolean = std::uint8_t;
 using SchedulerHandle = unsigned long;
 using Callback = std::uint32_t (*)(void *);
 
@@ -67,31 +66,44 @@ struct Symbol
 
 Symbol symbol_of(void *library, const char *name);
 
-struct Functions
+struct Loaded
 {
-    explicit Functions(void *loaded) : library(loaded) {}
+    explicit Loaded(void *handle) : library(handle) {}
 
     void *library;
+};
+
+/// Functions of the servo's frames; some serve the open device, too.
+struct FrameFunctions : Loaded
+{
+    using Loaded::Loaded;
+
+    void (*begin_frame)(Handle) = symbol_of(library, "hdBeginFrame");
+    void (*end_frame)(Handle) = symbol_of(library, "hdEndFrame");
+    void (*get_doublev)(Enum, double *) = symbol_of(library, "hdGetDoublev");
+    void (*get_integerv)(Enum, int *) = symbol_of(library, "hdGetIntegerv");
+    void (*set_doublev)(Enum, const double *) = symbol_of(library, "hdSetDoublev");
+    Enum (*check_calibration)() = symbol_of(library, "hdCheckCalibration");
+    void (*update_calibration)(Enum style) = symbol_of(library, "hdUpdateCalibration");
+};
+
+struct Functions : FrameFunctions
+{
+    using FrameFunctions::FrameFunctions;
+
     Handle (*init_device)(const char *configuration) = symbol_of(library, "hdInitDevice");
     void (*disable_device)(Handle) = symbol_of(library, "hdDisableDevice");
     void (*make_current_device)(Handle) = symbol_of(library, "hdMakeCurrentDevice");
-    void (*begin_frame)(Handle) = symbol_of(library, "hdBeginFrame");
-    void (*end_frame)(Handle) = symbol_of(library, "hdEndFrame");
     ErrorInfo (*get_error)() = symbol_of(library, "hdGetError"); ///< takes the newest error off the library's stack
     const char *(*get_error_string)(std::uint32_t code) = symbol_of(library, "hdGetErrorString");
     const char *(*get_string)(Enum) = symbol_of(library, "hdGetString");
     void (*enable)(Enum) = symbol_of(library, "hdEnable");
     void (*disable)(Enum) = symbol_of(library, "hdDisable");
-    void (*get_doublev)(Enum, double *) = symbol_of(library, "hdGetDoublev");
-    void (*get_integerv)(Enum, int *) = symbol_of(library, "hdGetIntegerv");
-    void (*set_doublev)(Enum, const double *) = symbol_of(library, "hdSetDoublev");
     void (*start_scheduler)() = symbol_of(library, "hdStartScheduler");
     void (*stop_scheduler)() = symbol_of(library, "hdStopScheduler");
     SchedulerHandle (*schedule_asynchronous)(Callback, void *data,
                                              std::uint16_t priority) = symbol_of(library, "hdScheduleAsynchronous");
     void (*unschedule)(SchedulerHandle) = symbol_of(library, "hdUnschedule");
-    Enum (*check_calibration)() = symbol_of(library, "hdCheckCalibration");
-    void (*update_calibration)(Enum style) = symbol_of(library, "hdUpdateCalibration");
 };
 } // namespace ode_predictive_space::haptics::hd
 

@@ -120,29 +120,26 @@ private:
     void look(double due)
     {
         find_touches();
-        const RenderedTick &tick = parts_.rendered.latest();
         Surroundings &surroundings = servo_.surroundings.draft();
-        surroundings.tool_jumps = tick.tool_jumps;
-        surroundings.planes.set(sensor_.touches(), !sensor_.saw_nonsense(), tick.tool.position, due);
+        surroundings.tool_jumps = parts_.rendered.latest().tool_jumps;
+        surroundings.all_known = !sensor_.saw_nonsense();
         const int steps = motion_.steps_per_period();
         {
             const TrialMessages messages;
-            motion_.predict(surroundings.planes, due, dt_, affordable_steps(), surroundings.forecast);
+            motion_.predict(due, dt_, affordable_steps(), surroundings.forecast);
             note_messages(messages.count());
         }
         if (motion_.steps_per_period() != steps)
             notify_of_shorter_steps();
-        hand_over_geoms(due, surroundings);
+        hand_over_geoms(surroundings);
         servo_.surroundings.publish();
         parts_.probe.renderer().physics_fresh(parts_.clock.now());
     }
 
-    void hand_over_geoms(double due, Surroundings &surroundings)
+    void hand_over_geoms(Surroundings &surroundings)
     {
-        if (sensor_.tracker() == nullptr)
-            return;
-        sensor_.tracker()->hand_over(surroundings.geoms, due);
-        for (NearbyGeom &geom : surroundings.geoms.geoms)
+        sensor_.hand_over(surroundings.geoms);
+        for (NearbyGeom &geom : surroundings.geoms)
             if (!geom.is_in_contact() && !surroundings.forecast.predicts(geom.object()))
                 motion_.push_rest(geom);
     }

@@ -18,10 +18,10 @@ namespace ode_predictive_space::haptics
 {
 struct Surroundings
 {
-    ContactModel planes; ///< of a geom of the program
-    NearbyGeoms geoms;   ///< around the library's sphere
-    MotionForecast forecast;
-    int tool_jumps = 0; ///< of RenderedTick; if it has grown since, the copy is out of date
+    std::vector<NearbyGeom> geoms; ///< around the library's sphere, or in contact with a geom of the program
+    bool all_known = true;         ///< all contacts are finite
+    MotionForecast forecast;       ///< from the time at which the geoms were so
+    int tool_jumps = 0;            ///< of RenderedTick; if it has grown since, the copy is out of date
 };
 
 /// The impulses between hand and objects on their way to the scene.
@@ -194,33 +194,48 @@ private:
     bool feel(const Surroundings &scene, double due)
     {
         touches_.clear();
-        if (scene.tool_jumps == renderer_.last_tick().tool_jumps)
-            scene.planes.evaluate(renderer_.tool().position, due, shifts_, touches_);
-        const bool all_known = !tracker_ || feel_geoms(scene, due);
-        if (keep_within_capacity(touches_) && !std::exchange(notified_of_capacity_, true))
-            parts_.notify(NoticeKind::contact, capacity_notice);
-        return all_known && scene.planes.all_known();
-    }
-
-    bool feel_geoms(const Surroundings &scene, double due)
-    {
-        tracker_->begin();
-        if (renderer_.last_tick().tool_jumps != tool_jumps_)
-        {
-            tool_jumps_ = renderer_.last_tick().tool_jumps;
-            tracker_->forget();
-        }
-        tracker_->aim(renderer_.tool().position);
-        tracker_->set_stiffness(renderer_.law().material().stiffness);
+        begin_contact();
         if (scene.tool_jumps == tool_jumps_)
         {
-            for (const NearbyGeom &known : scene.geoms.geoms)
+            for (const NearbyGeom &known : scene.geoms)
             {
-                NearbyGeom geom = known.later(due - scene.geoms.time);
+                NearbyGeom geom = known.later(due - scene.forecast.time);
                 move_on(geom, scene.forecast, due);
-                tracker_->add(std::move(geom));
+                add(std::move(geom));
             }
         }
+        const bool all_known = follow();
+        if (keep_within_capacity(touches_) && !std::exchange(notified_of_capacity_, true))
+            parts_.notify(NoticeKind::contact, capacity_notice);
+        return all_known && scene.all_known;
+    }
+
+    void begin_contact()
+    {
+        const int jumps = renderer_.last_tick().tool_jumps;
+        const bool jumped = std::exchange(tool_jumps_, jumps) != jumps;
+        if (!tracker_)
+            return;
+        tracker_->begin();
+        if (jumped)
+            tracker_->forget();
+        tracker_->aim(renderer_.tool().position);
+        tracker_->set_stiffness(renderer_.law().material().stiffness);
+    }
+
+    void add(NearbyGeom geom)
+    {
+        if (tracker_)
+            return tracker_->add(std::move(geom));
+        const Touch touch = geom.touch_at(renderer_.tool().position);
+        if (touch.depth > 0)
+            touches_.push_back(touch);
+    }
+
+    bool follow()
+    {
+        if (!tracker_)
+            return true;
         tracker_->follow();
         tracker_->remember_in(memory.draft());
         memory.publish();

@@ -190,10 +190,8 @@ void IslandRollOut::run(std::size_t steps, double dt, const std::vector<BodyImpu
     {
         if (known_.count(push.body) == 0)
             continue;
-        const Vector3 force = push.impulse / dt, moment = push.arm.cross(force);
-        dBodyEnable(push.body);
-        call_ode(&dBodyAddForce, push.body, force);
-        call_ode(&dBodyAddTorque, push.body, moment);
+        const Vector3 force = push.impulse / dt;
+        push_body(push.body, force, push.arm.cross(force));
     }
     for (std::size_t step = 1; step <= steps; ++step)
     {
@@ -241,11 +239,8 @@ void IslandRollOut::restore() const
 {
     for (const State &state : states_)
     {
-        const Quaternion &turn = state.motion.orientation;
-        const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),
-                                        static_cast<dReal>(turn.y()), static_cast<dReal>(turn.z())};
         call_ode(&dBodySetPosition, state.body, state.motion.position);
-        dBodySetQuaternion(state.body, quaternion);
+        call_ode(&dBodySetQuaternion, state.body, state.motion.orientation);
         call_ode(&dBodySetLinearVel, state.body, state.motion.linear_velocity);
         call_ode(&dBodySetAngularVel, state.body, state.motion.angular_velocity);
         call_ode(&dBodySetForce, state.body, state.force);

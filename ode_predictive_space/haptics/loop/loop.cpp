@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/loop.h"
 
+#include "ode_predictive_space/haptics/contact/scene_geoms.h"
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 #include "ode_predictive_space/haptics/safety/notice_desk.h"
 
@@ -94,14 +95,6 @@ void run_coupled(LoopParts &parts, const SceneWork &work)
     }
 }
 
-/// Builds the data of predictive spaces now, so that no tick has to wait for it.
-void prepare_spaces_of(dGeomID probe)
-{
-    for (dSpaceID space = dGeomGetSpace(probe); space; space = dGeomGetSpace(reinterpret_cast<dGeomID>(space)))
-        if (dSpaceIsPredictive(space))
-            dPredictiveSpacePrepare(space);
-}
-
 void run_watched(LoopParts &parts, const SceneWork &work)
 {
     const StopRequest instead_of_dying; // a signal must not leave a force
@@ -143,8 +136,10 @@ LoopReport HapticLoop::run(const SceneWork &work)
     const AtEnd turn = parts.begin_turn();
     if (parts.probe.sensor() != nullptr)
         parts.probe.sensor()->prepare_all();
-    if (parts.probe.geom() != nullptr)
-        prepare_spaces_of(parts.probe.geom());
+    for_each_space_of(parts.probe.geom(), [](dSpaceID space) {
+        if (dSpaceIsPredictive(space) != 0)
+            dPredictiveSpacePrepare(space); // now, so that no tick has to wait for it
+    });
     run_watched(parts, work);
     if (parts.guard->sink_failed())
         std::rethrow_exception(parts.guard->sink_error());

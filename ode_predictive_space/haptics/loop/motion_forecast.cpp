@@ -75,8 +75,8 @@ Shifts MotionForecast::shifts(const std::vector<Impulse> &impulses, double now) 
     }
     Shifts shifts;
     for (std::size_t i = 0; i < count; ++i)
-        shifts[i] = {places[i].touch.object, moved[i].head<3>(),    velocity[i].head<3>(),
-                     moved[i].tail<3>(),     velocity[i].tail<3>(), places[i].centre};
+        shifts[i] = {places[i].touch.object, moved[i].head<3>(), velocity[i].head<3>(), moved[i].tail<3>(),
+                     velocity[i].tail<3>()};
     return shifts;
 }
 } // namespace ode_predictive_space::haptics

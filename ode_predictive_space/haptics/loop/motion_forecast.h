@@ -3,12 +3,34 @@
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_MOTION_FORECAST_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_MOTION_FORECAST_H
 
-#include "ode_predictive_space/haptics/loop/contact_model.h"
+#include "ode_predictive_space/haptics/contact/short_list.h"
+#include "ode_predictive_space/haptics/touch.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace ode_predictive_space::haptics
 {
+/// The motion of an object beyond that by its constant velocity.
+struct Shift
+{
+    std::uintptr_t object = 0;          ///< as Touch has it
+    Vector3 moved = Vector3::Zero();    ///< m; its centre of mass
+    Vector3 velocity = Vector3::Zero(); ///< m/s; of that
+    Vector3 turned = Vector3::Zero();   ///< rad; the vector of a rotation about the centre
+    Vector3 spin = Vector3::Zero();     ///< rad/s
+};
+
+using Shifts = std::array<Shift, 8>;
+
+/// The shift of an object, by its deepest touch; zero for an object without a prediction.
+inline Shift shift_of(std::uintptr_t object, const Shifts &shifts)
+{
+    const Shift *const found = find_in(shifts, [object](const Shift &shift) { return shift.object == object; });
+    return found != nullptr ? *found : Shift();
+}
+
 /// The impulse on the hand by an object in a tick of the servo. The object gets the opposite.
 struct Impulse
 {
@@ -46,7 +68,6 @@ struct MotionForecast
     struct Place
     {
         Touch touch;
-        Vector3 centre;                                     ///< m; of the body's mass
         BodyMotion velocity;                                ///< m/s, rad/s; at the beginning
         Eigen::Matrix<double, tried_pushes, 6> combination; ///< from an impulse to the tried pushes
         Course<BodyMotion> free;                            ///< motion without the hand

@@ -73,13 +73,12 @@ void SceneMotion::push_all(double h)
     waiting_.clear();
 }
 
-void SceneMotion::predict(const ContactModel &planes, double time, double period, int affordable,
-                          MotionForecast &forecast)
+void SceneMotion::predict(double time, double period, int affordable, MotionForecast &forecast)
 {
     forecast.time = time;
     forecast.last_included = received_;
     forecast.node_length = period / steps_per_period_;
-    find_touched(planes, forecast);
+    find_touched(forecast);
     if (touched_.empty())
         return;
     std::vector<dBodyID> bodies;
@@ -134,13 +133,18 @@ bool SceneMotion::is_one_awake() const
     });
 }
 
-void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forecast)
+/// The deepest touches of bodies that a push moves.
+void SceneMotion::find_touched(MotionForecast &forecast)
 {
     touched_.clear();
     forecast.count = 0;
-    for (std::size_t i = 0; i < planes.count() && touched_.size() < MotionForecast::most_touches; ++i)
+    std::vector<Touch> touches = sensor_.touches();
+    std::partial_sort(touches.begin(), touches.end(), touches.end(),
+                      [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
+    for (const Touch &touch : touches)
     {
-        const Touch &touch = planes.touch(i);
+        if (touched_.size() == MotionForecast::most_touches)
+            return;
         const dBodyID body = sensor_.body_of(touch.object);
         if (body != nullptr && dBodyIsKinematic(body) == 0 &&
             (touched_.empty() || dBodyGetWorld(body) == dBodyGetWorld(touched_.front().body)))
@@ -149,7 +153,6 @@ void SceneMotion::find_touched(const ContactModel &planes, MotionForecast &forec
             const Touched &touched = touched_.back();
             MotionForecast::Place &place = forecast.places[forecast.count++];
             place.touch = touch;
-            place.centre = touched.centre;
             place.velocity << from_ode(dBodyGetLinearVel(body)), from_ode(dBodyGetAngularVel(body));
             place.combination =
                 touched.wrenches.completeOrthogonalDecomposition().solve(Eigen::Matrix<double, 6, 6>::Identity());
@@ -209,13 +212,11 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     touched.touch = touch;
     touched.centre = from_ode(dBodyGetPosition(body));
     touched.orientation = tool_state_of(body).orientation;
-    dMass mass;
-    dBodyGetMass(body, &mass);
-    const Eigen::Matrix3d turn = touched.orientation.toRotationMatrix();
-    touched.inertia.setZero();
-    touched.inertia.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
-    touched.inertia.bottomRightCorner<3, 3>() = turn * inertia_of(mass) * turn.transpose();
-    touched.inverse_inertia = touched.inertia.inverse();
+    const Mobility mobility = Mobility::of(body);
+    touched.inverse_inertia.setZero();
+    touched.inverse_inertia.topLeftCorner<3, 3>() = mobility.inverse_mass * Eigen::Matrix3d::Identity();
+    touched.inverse_inertia.bottomRightCorner<3, 3>() = mobility.inverse_inertia;
+    touched.inertia = touched.inverse_inertia.inverse();
     touched.pushes = pushes_on(touched);
     int column = 0;
     for (const BodyImpulse &push : touched.pushes)

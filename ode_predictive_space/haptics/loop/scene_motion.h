@@ -37,7 +37,7 @@ public:
     /// Predicts the motion of the touched surfaces. After the program's collide(), before its advance().
     ///
     /// @param period s; of the program's rate. @param affordable maximum number of steps in a period.
-    void predict(const ContactModel &planes, double time, double period, int affordable, MotionForecast &forecast);
+    void predict(double time, double period, int affordable, MotionForecast &forecast);
 
     /// Moves a body without a forecast by its remaining impulses of the next step.
     void push_rest(NearbyGeom &geom) const;
@@ -67,7 +67,7 @@ private:
     static constexpr int most_deviations = 5; ///< in a row
 
     void push_now(const std::vector<Impulse> &impulses, double h);
-    void find_touched(const ContactModel &planes, MotionForecast &forecast);
+    void find_touched(MotionForecast &forecast);
     static Touched touched_of(dBodyID body, const Touch &touch);
     static Pushes pushes_on(const Touched &touched);
     static BodyMotion motion_of(const Touched &touched);

@@ -35,8 +35,11 @@ public:
 
     /// Sets the round-trip delay from a written force to the position that it causes.
     ///
-    /// @param ticks up to most_delay.
-    void set_delay(int ticks) { delay_ = static_cast<std::size_t>(std::clamp(ticks, 0, most_delay)); }
+    /// @param ticks rounded; up to most_delay.
+    void set_delay(double ticks)
+    {
+        delay_ = static_cast<std::size_t>(std::lround(std::clamp<double>(ticks, 0, most_delay)));
+    }
 
     static constexpr int most_delay = 63; ///< ticks
 

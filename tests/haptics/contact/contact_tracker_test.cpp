@@ -215,14 +215,13 @@ TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)
     tracker.begin();
     tracker.aim({0, 0, 0});
     tracker.add(*NearbyGeom::read(geom, meshes, {}));
-    NearbyGeoms geoms;
-    tracker.hand_over(geoms, 0);
+    std::vector<HeldGeom> handed_over = tracker.near();
     tracker.begin();
     meshes.forget(mesh.data());
-    const NearbyGeom borrowed = geoms.geoms[0].later(0.01);
+    const NearbyGeom borrowed = handed_over[0].geom.later(0.01);
     EXPECT_EQ(tree.use_count(), 1) << "what is borrowed owns nothing";
-    tracker.hand_over(geoms, 0.01);
-    EXPECT_TRUE(geoms.geoms.empty());
+    handed_over = tracker.near();
+    EXPECT_TRUE(handed_over.empty());
     EXPECT_TRUE(tree.expired());
 }
 } // namespace

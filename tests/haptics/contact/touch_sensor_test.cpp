@@ -45,6 +45,17 @@ TEST_F(TouchSensorTest, TheMarginShowsWhatIsNearWithoutChangingDepths)
     EXPECT_TRUE(look(sensor, {0, 0, 0.0151}).empty());
 }
 
+// It was felt a margin early.
+TEST_F(TouchSensorTest, AGeomOfTheProgramTouchesTheSphereOfAnotherProbeWithoutItsMargin)
+{
+    TouchSensor sphere(world_.space, radius);
+    TouchSensor box(dCreateBox(world_.space, 0.02, 0.02, 0.02));
+    sphere.set_margin(0.005);
+    look(sphere, {0, 0, 0});
+    ASSERT_EQ(look(box, {0, 0, 0.018}).size(), 1U);
+    EXPECT_NEAR(box.touches()[0].depth, 0.002, 1e-9);
+}
+
 TEST_F(TouchSensorTest, ClaimsItsPairsAndNoOthers)
 {
     TouchSensor sensor(world_.space, radius);

@@ -20,7 +20,6 @@ protected:
         touch.normal = -Vector3::UnitX();
         MotionForecast::Place &place = forecast_->places[0];
         place.touch = touch;
-        place.centre = Vector3(0.1, 0, 0);
         place.velocity << 0.5, 0, 0, 0, 0, 0;
         MotionForecast::Response pushes = MotionForecast::Response::Zero();
         pushes.topLeftCorner<3, 3>().setIdentity();
