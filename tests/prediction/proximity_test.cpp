@@ -57,14 +57,6 @@ std::vector<double *> numbers_of(Envelope &envelope)
 }
 } // namespace
 
-TEST(FirstRoot, near_already)
-{
-    EXPECT_EQ(first_root(1, -5, 0), 0.0);
-    EXPECT_EQ(first_root(1, 5, -1), 0.0);
-    EXPECT_EQ(first_root(0, 0, 0), 0.0);
-    EXPECT_EQ(first_root(-1, 0, -1), 0.0);
-}
-
 TEST(FirstRoot, every_sign_of_the_coefficients)
 {
     const std::array<double, 7> values = {-4, -2.5, -1, 0, 1, 2.5, 4};
@@ -82,20 +74,6 @@ TEST(FirstRoot, every_sign_of_the_coefficients)
                 const double m = root.value_or(0);
                 EXPECT_NEAR(P.at(m), root ? 0 : C, 1e-12 * (1 + std::abs(A) * m * m)) << A << ' ' << B << ' ' << C;
             }
-}
-
-TEST(FirstRoot, straight_line)
-{
-    EXPECT_DOUBLE_EQ(*first_root(0, -2, 3), 0.75);
-    EXPECT_FALSE(first_root(0, 2, 3));
-    EXPECT_FALSE(first_root(0, 0, 3));
-}
-
-TEST(FirstRoot, double_root)
-{
-    EXPECT_DOUBLE_EQ(*first_root(1, -1, 1), 1.0);
-    EXPECT_FALSE(first_root(1, -1, 1.0000001));
-    EXPECT_FALSE(first_root(1, 1, 1));
 }
 
 TEST(FirstRoot, does_not_cancel)
@@ -130,15 +108,6 @@ TEST(TimeOfProximity, head_on)
     EXPECT_FALSE(box_time_of_proximity(left, right, 3.999));
 }
 
-TEST(TimeOfProximity, deviations_count)
-{
-    const Envelope left = ball({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3::Zero()}, 1, {0.5, 0.25, 0});
-    const Envelope right = ball({Vector3(10, 0, 0), Vector3(-1, 0, 0), Vector3::Zero()}, 1, {0.5, 0.25, 0});
-    // 10 - 2 t = 2 + 1 + t / 2
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 8), 2.8, 1e-12);
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 8), 2.8, 1e-12);
-}
-
 TEST(TimeOfProximity, box_is_the_latest_of_the_three_entries)
 {
     const Envelope still = ball(resting_at(Vector3::Zero()), 1);
@@ -149,17 +118,6 @@ TEST(TimeOfProximity, box_is_the_latest_of_the_three_entries)
     EXPECT_NEAR(box_time_of_proximity(still, passing, 10).value_or(-1), 5.9, 1e-12);
     const Envelope missing = ball({Vector3(4, 8.1, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
     EXPECT_FALSE(box_time_of_proximity(still, missing, 20)) << "x is left before y is entered";
-}
-
-TEST(TimeOfProximity, no_duration)
-{
-    const Envelope first = ball({Vector3::Zero(), Vector3(5, 0, 0), Vector3(0, 9, 0)}, 1, {0.1, 2, 3});
-    const Envelope touching = ball(resting_at(Vector3(2.2, 0, 0)), 1, {0.1, 2, 3});
-    const Envelope apart = ball(resting_at(Vector3(2.21, 0, 0)), 1, {0.1, 2, 3});
-    EXPECT_EQ(sphere_time_of_proximity(first, touching, 0), 0.0);
-    EXPECT_EQ(box_time_of_proximity(first, touching, 0), 0.0);
-    EXPECT_FALSE(sphere_time_of_proximity(first, apart, 0));
-    EXPECT_FALSE(box_time_of_proximity(first, apart, 0));
 }
 
 TEST(TimeOfProximity, infinite_bounds)
@@ -257,39 +215,4 @@ TEST(ChordError, braking_and_turning_back_is_missed_by_equation_4)
     EXPECT_LE(*ours, contact);
     ASSERT_TRUE(box_time_of_proximity(braking, still, duration));
     EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
-}
-
-TEST(ChordError, braking_is_late_by_equation_4)
-{
-    // The other ball is met on the chord as well, but later than on the path.
-    const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
-    const Envelope still = ball(resting_at(Vector3(17, 0, 0)), 1);
-    const double duration = 50;
-    const double contact = duration * static_cast<double>(*first_sphere_contact(braking, still, duration));
-    EXPECT_GT(*time_of_proximity_by_equation_4(braking, still, duration), contact + 5);
-    EXPECT_LE(*sphere_time_of_proximity(braking, still, duration), contact);
-    EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
-}
-
-TEST(ChordError, same_gravity_owes_nothing)
-{
-    const Vector3 gravity(0, 0, -0.01);
-    const Envelope left = ball({Vector3(0, 0, 100), Vector3(1, 0, 0), gravity}, 1);
-    const Envelope right = ball({Vector3(10, 0, 100), Vector3(-1, 0, 0), gravity}, 1);
-    EXPECT_EQ(sphere_chord_error(left, right, 100), 0);
-    EXPECT_GT(chord_error(gravity, 100), 12);
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 100), 4, 1e-9);
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 100), 4, 1e-9);
-}
-
-TEST(ChordError, of_the_relative_path_is_at_most_the_sum)
-{
-    RandomPairs random(21);
-    for (int i = 0; i < 100 * pair_kinds; ++i)
-    {
-        const EnvelopePair pair = random.make(static_cast<PairKind>(i % pair_kinds));
-        const double sum = chord_error(pair.first.path.acceleration, pair.duration) +
-                           chord_error(pair.second.path.acceleration, pair.duration);
-        EXPECT_LE(sphere_chord_error(pair.first, pair.second, pair.duration), sum * (1 + 1e-14));
-    }
 }

@@ -17,11 +17,6 @@ void add_steps(StepEstimate &estimate, double step, int count)
 }
 } // namespace
 
-TEST(StepEstimate, is_an_ordinary_step_at_first)
-{
-    EXPECT_EQ(StepEstimate().step(), 0.01);
-}
-
 TEST(StepEstimate, one_displacement_is_enough)
 {
     StepEstimate estimate;

@@ -124,31 +124,6 @@ TEST(HapticDemo, FailsWhenAFileOfResultsIsFull)
     }
 }
 
-TEST(HapticDemo, RunsInOneSpaceAlone)
-{
-    const Outcome outcome = run(HAPTIC_DEMO, "--compare --objects 20 --seconds 0.1 --space quadtree");
-    EXPECT_EQ(outcome.status, 0) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "The space reported ")) << outcome.output;
-}
-
-TEST(HapticDemo, RefusesWhatItCannotDo)
-{
-    EXPECT_GT(run(HAPTIC_DEMO, "--objects 0").status, 1);
-    EXPECT_GT(run(HAPTIC_DEMO, "--seconds -1").status, 1);
-    EXPECT_GT(run(HAPTIC_DEMO, "--space octree").status, 1);
-    const Outcome outcome =
-        run(HAPTIC_DEMO, "--compare --objects 5 --seconds 0.05 --json /no/such/folder/results.json");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/results.json")) << outcome.output;
-}
-
-TEST(HapticDemo, GainIsThePapers)
-{
-    EXPECT_DOUBLE_EQ(gain_percent(1, 4), 75);
-    EXPECT_DOUBLE_EQ(gain_percent(4, 4), 0);
-    EXPECT_DOUBLE_EQ(gain_percent(8, 4), -100);
-}
-
 TEST(BesideOde, ComparesMediansWithinEightyColumns)
 {
     const Outcome outcome = run(BESIDE_ODE, "");

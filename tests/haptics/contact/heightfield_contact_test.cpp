@@ -96,38 +96,6 @@ TEST_P(HeightfieldContactTest, ARidgeOfNinetyDegreesPushesUpwards)
         << samples.back().requested.transpose();
 }
 
-TEST_P(HeightfieldContactTest, RidgesAreCrossedWithoutAJump)
-{
-    const RidgeShape ridges;
-    const OdeField field(profile(ridges.cell, 100, [&](double x) { return ridges.height(x); }));
-    use(field);
-    physics_rate_ = 100;
-    const auto samples = run(
-        [](double t) {
-            const Vector3 above(-0.08, -0.02, 0.03), in(-0.08, -0.02, radius - 0.003), end(0.08, 0.02, radius - 0.003);
-            return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.5, t);
-        },
-        1.1);
-    expect_forces_of_ridges(samples, ridges, 500);
-}
-
-TEST_P(HeightfieldContactTest, StopsWhatFliesAtTenMetresPerSecond)
-{
-    const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));
-    use(field);
-    const auto samples = run(
-        [](double t) {
-            return between({0.003, 0.001, 0.034}, {0.003, 0.001, -0.036}, 0.1, 0.007, t);
-        },
-        0.15);
-    for (const Sample &sample : samples)
-    {
-        const double depth = std::max(0.0, radius - sample.tool.z());
-        ASSERT_LE((sample.requested - Vector3(0, 0, k * depth)).norm(), 1e-6 * k) << sample.time;
-    }
-    EXPECT_NEAR(samples.back().tool.z(), -0.036, 1e-12);
-}
-
 TEST_P(HeightfieldContactTest, OtherSamplesEndTheContact)
 {
     const OdeField field(profile(0.02, 20, [](double) { return 0.0; }));

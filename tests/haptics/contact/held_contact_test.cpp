@@ -62,34 +62,10 @@ TEST_P(HeldContactTest, ASlabOfFiveMillimetresDoesNotPullThrough)
     expect_spring_to_five_radii(0.013, 0.021, 1e-6);
 }
 
-TEST_P(HeldContactTest, ASphereMeshHoldsToFiveRadii)
-{
-    const OdeMesh mesh(sphere_mesh(0.3, 96));
-    dGeomSetPosition(mesh.add_to(world_.space), 0, 0, -0.3);
-    expect_spring_to_five_radii(0, 0, 0.01);
-}
-
 TEST_P(HeldContactTest, AThinBoxHoldsToFiveRadii)
 {
     world_.add_box({0.4, 0.4, 0.001}, {0, 0, -0.0005});
     expect_spring_to_five_radii(0.013, 0.021, 1e-6);
-}
-
-TEST_P(HeldContactTest, AThinLyingCylinderHoldsToFiveRadii)
-{
-    dGeomSetPosition(dCreateCylinder(world_.space, 0.2, 0.001), 0, 0, -0.0005);
-    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
-}
-
-TEST_P(HeldContactTest, ASphereHoldsToFiveRadii)
-{
-    dGeomSetPosition(dCreateSphere(world_.space, 0.03), 0, 0, -0.03); // its centre is at 3 radii
-    const auto samples = run(
-        [](double t) {
-            return between({0, 0, 0.03}, {0, 0, radius - 3.9 * radius}, 0.1, 0.8, t);
-        },
-        1);
-    EXPECT_NEAR(samples.back().requested.z(), k * 3.9 * radius, 1e-6 * k);
 }
 
 TEST_P(HeldContactTest, ACapsuleHolds)
@@ -155,25 +131,6 @@ TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
 TEST_P(HeldContactTest, AThinBoxStopsWhatFliesAtTenMetresPerSecond)
 {
     world_.add_box({0.001, 0.4, 0.4}, {0.0005, 0, 0});
-    expect_stopped_at_front();
-}
-
-TEST_P(HeldContactTest, AThinBoxThatIsTurnedStopsWhatFliesAtTenMetresPerSecond)
-{
-    const dGeomID box = world_.add_box({0.4, 0.4, 0.001}, {0.0005, 0, 0});
-    dMatrix3 standing;
-    dRFromAxisAndAngle(standing, 0, 1, 0, std::acos(0.0));
-    dGeomSetRotation(box, standing);
-    expect_stopped_at_front();
-}
-
-TEST_P(HeldContactTest, AThinDiscStopsWhatFliesAtTenMetresPerSecond)
-{
-    const dGeomID disc = dCreateCylinder(world_.space, 0.2, 0.001);
-    dMatrix3 standing;
-    dRFromAxisAndAngle(standing, 0, 1, 0, std::acos(0.0));
-    dGeomSetRotation(disc, standing);
-    dGeomSetPosition(disc, 0.0005, 0, 0);
     expect_stopped_at_front();
 }
 
@@ -375,18 +332,6 @@ TEST_P(HeldContactTest, WavesAreFeltAsTheyAre)
         ASSERT_LE((sample.requested - truth).norm(), (decoupled() ? 0.1 : 0.07) * truth.norm())
             << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
     }
-}
-
-TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
-{
-    const OdeMesh mesh(waves(0.004));
-    mesh.add_to(world_.space);
-    const auto samples = run(over_the_waves(-0.04), 1.2);
-    for (const Sample &sample : samples)
-        if (sample.time > 0.45)
-        {
-            ASSERT_GT(sample.requested.z(), 0.7 * k * 0.05) << sample.time << ": " << sample.requested.transpose();
-        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);

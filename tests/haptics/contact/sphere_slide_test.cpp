@@ -42,32 +42,6 @@ TEST(NearestOnTriangle, IsNearerThanAllOtherPointsOfIt)
     }
 }
 
-TEST(MeshTree, FindsTheDistanceThatAllTrianglesGive)
-{
-    RandomNumbers random(2);
-    for (const int count : {0, 1, 5, 300})
-    {
-        std::vector<TriangleCorners> triangles;
-        for (int i = 0; i < count; ++i)
-            triangles.push_back(random_triangle(random, 0.01));
-        const MeshTree tree(triangles);
-        for (int i = 0; i < 300; ++i)
-        {
-            const Vector3 point = random.in_cube(0.08);
-            double distance = 0.03;
-            for (const TriangleCorners &corners : triangles)
-                distance = std::min(distance, std::sqrt(nearest_on_triangle(point, corners).squared_distance));
-            SurfaceFeatures features;
-            ASSERT_NEAR(tree.collect(point, 0.03, features), distance, 1e-12);
-            ASSERT_NEAR(tree.distance(point, 0.03), distance, 1e-12);
-            const bool has_it = std::any_of(features.begin(), features.end(), [&](const SurfaceFeature &feature) {
-                return std::abs(feature.distance - distance) < 1e-12;
-            });
-            ASSERT_EQ(has_it, distance < 0.03);
-        }
-    }
-}
-
 TEST(MeshTree, AFlatFloorIsOneFeatureHoweverManyTrianglesItHas)
 {
     const MeshShape sheet = sheet_mesh(0.1, 50);
@@ -214,41 +188,6 @@ TEST(SphereSlide, EndsWhereNoShortStepLeadsNearerToTheGoal)
     }
     EXPECT_GT(compared, 5000);
     dGeomDestroy(geom);
-}
-
-TEST(MeshStore, GeomsOfTheSameDataShareATreeUntilItsTrianglesChange)
-{
-    const OdeUse ode;
-    OdeMesh mesh(sheet_mesh(0.1, 4));
-    const OdeMesh other(sheet_mesh(0.1, 4));
-    const dGeomID geom = mesh.add_to(nullptr);
-    const dGeomID twin = mesh.add_to(nullptr);
-    dGeomSetPosition(twin, 100, 20, 3);
-    dMatrix3 turned;
-    dRFromAxisAndAngle(turned, 1, 2, 3, 1);
-    dGeomSetRotation(twin, turned);
-    MeshStore store;
-    const auto tree = store.tree_of(geom, {});
-    for (int i = 0; i < 20; ++i)
-        EXPECT_EQ(store.tree_of(twin, {}), tree);
-    EXPECT_EQ(store.count(), 1U);
-    dGeomTriMeshSetData(twin, other.data());
-    EXPECT_NE(store.tree_of(twin, {}), tree);
-    EXPECT_EQ(store.tree_of(geom, {}), tree);
-
-    MeshShape moved = sheet_mesh(0.1, 4);
-    moved.vertices[0].z() += 0.001; // of the first triangle and the second
-    mesh.set(moved);
-    dGeomTriMeshSetData(geom, mesh.data());
-    TriangleList touched;
-    touched.add(0);
-    EXPECT_NE(store.tree_of(geom, touched), tree) << "at once, if it is touched";
-    const auto changed = store.tree_of(geom, {});
-    EXPECT_EQ(store.tree_of(geom, touched), changed);
-    store.forget(mesh.data());
-    EXPECT_NE(store.tree_of(geom, {}), changed);
-    dGeomDestroy(geom);
-    dGeomDestroy(twin);
 }
 
 TEST(Solid, InsideAndOutsideAreTold)

@@ -32,20 +32,6 @@ TEST(DeviceFactory, MakesEveryDeviceThatItNamesAndDoesNotOpenIt)
         EXPECT_FALSE(make_device(name)->status().open) << name;
 }
 
-TEST(DeviceFactory, TheVirtualHandStaysInItsWorkspace)
-{
-    const std::unique_ptr<Device> device = make_device("virtual");
-    device->open();
-    double farthest = 0;
-    for (int i = 0; i < 30000; ++i)
-    {
-        const Vector3 position = device->read(0.001 * i).position;
-        ASSERT_TRUE(device->capabilities().workspace.contains(position)) << "at " << 0.001 * i << " s";
-        farthest = std::max(farthest, position.cwiseAbs().maxCoeff());
-    }
-    EXPECT_GT(farthest, 0.05) << "and uses it";
-}
-
 TEST(DeviceFactory, OtherSeedsAreOtherHands)
 {
     for (const std::string name : {"virtual", "hand-path"})
@@ -58,24 +44,6 @@ TEST(DeviceFactory, OtherSeedsAreOtherHands)
         };
         EXPECT_EQ(position(1), position(1)) << name;
         EXPECT_NE(position(1), position(2)) << name;
-    }
-}
-
-TEST(DeviceFactory, AServoLoopNeedsNoMemory)
-{
-    const TemporaryFile file("0 1 2 3 0 0 0 1\n1 1 3 3 0 0 0 1\n");
-    for (const std::string &name :
-         {std::string("virtual"), std::string("hand-path"), std::string("mouse"), "replay:" + file.name()})
-    {
-        const std::unique_ptr<Device> device = make_device(name);
-        device->open();
-        const std::uint64_t before = allocation_count();
-        for (int i = 0; i < 20000; ++i)
-        {
-            const DeviceState state = device->read(0.001 * i);
-            device->write({-state.position, Vector3::Zero()});
-        }
-        EXPECT_EQ(allocation_count(), before) << name;
     }
 }
 

@@ -215,26 +215,6 @@ TEST_P(SurfaceLaw, ShowsNonsenseAndForgetsIt)
     }
 }
 
-TEST_P(SurfaceLaw, AsksForNoMemoryInTheSteadyState)
-{
-    RandomNumbers random(7);
-    const auto law = make({700, 2, 0.4});
-    TouchForces forces;
-    std::vector<std::vector<Touch>> ticks;
-    for (int tick = 0; tick < 200; ++tick)
-        ticks.push_back(random.touches(random.below(9)));
-    ticks[0] = random.touches(8);
-    ticks[1] = ticks[0];
-    const ToolState tool = random.tool();
-
-    law->forces(tool, ticks[0], dt, forces);
-    law->forces(tool, ticks[1], dt, forces);
-    const std::uint64_t before = allocation_count();
-    for (const std::vector<Touch> &touches : ticks)
-        law->forces(tool, touches, dt, forces);
-    EXPECT_EQ(allocation_count(), before);
-}
-
 TEST_P(SurfaceLaw, RefusesPropertiesThatCannotBe)
 {
     for (const double bad : {-1.0, nan, infinity})

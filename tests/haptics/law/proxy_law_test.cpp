@@ -37,24 +37,6 @@ std::vector<Touch> roomy_touches(RandomNumbers &random, int count)
     return touches;
 }
 
-TEST(ProxyLaw, OnOnePlaneWithoutFrictionIsThePenaltyLaw)
-{
-    RandomNumbers random(1);
-    for (int i = 0; i < 2000; ++i)
-    {
-        const double stiffness = random.between(0, 3000);
-        Felt<ProxyLaw> proxy({stiffness, 3, 0});
-        Felt<PenaltyLaw> penalty({stiffness, 3, 0});
-        const ToolState tool = random.tool();
-        const std::vector<Touch> touches = random.touches(1);
-        TouchForces ours, theirs;
-        proxy.forces(tool, touches, dt, ours);
-        penalty.forces(tool, touches, dt, theirs);
-        EXPECT_EQ(ours[0], theirs[0]);
-        EXPECT_NEAR((proxy.proxy() - tool.position - touches[0].depth * touches[0].normal).norm(), 0, 1e-15);
-    }
-}
-
 TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
 {
     RandomNumbers random(2);
@@ -89,22 +71,6 @@ TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
     }
     for (int carriers = 1; carriers <= 3; ++carriers)
         EXPECT_GT(carriers_seen[carriers], 100) << carriers;
-}
-
-TEST(ProxyLaw, TheOrderOfTouchesDoesNotMatter)
-{
-    RandomNumbers random(3);
-    for (int i = 0; i < 1000; ++i)
-    {
-        Felt<ProxyLaw> law({1000, 0, 0}), other({1000, 0, 0});
-        std::vector<Touch> touches = roomy_touches(random, 5);
-        TouchForces forces, reversed;
-        law.forces({}, touches, dt, forces);
-        std::reverse(touches.begin(), touches.end());
-        other.forces({}, touches, dt, reversed);
-        for (std::size_t touch = 0; touch < touches.size(); ++touch)
-            EXPECT_NEAR((forces[touch] - reversed[touches.size() - 1 - touch]).norm(), 0, 1e-6);
-    }
 }
 
 TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)
