@@ -7,9 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/prediction/first_contact.h"
-#include "tests/prediction/random_pairs.h"
-
 using namespace ode_predictive_space;
 
 namespace
@@ -25,24 +22,6 @@ Envelope ball(const Path &path, double radius, const Deviation &deviation = {})
 Path resting_at(const Vector3 &position)
 {
     return {position, Vector3::Zero(), Vector3::Zero()};
-}
-
-// The error e of the paper's equation 4: the distance of a path from the line through its ends.
-double perpendicular_chord_error(const Path &path, double duration)
-{
-    const Vector3 chord = path.at(duration) - path.position;
-    return 0.125 * duration * duration * path.acceleration.cross(chord.normalized()).norm();
-}
-
-std::optional<double> time_of_proximity_by_equation_4(const Envelope &first, const Envelope &second, double duration)
-{
-    const double error =
-        perpendicular_chord_error(first.path, duration) + perpendicular_chord_error(second.path, duration);
-    const ProximityPolynomial P = proximity_polynomial(first, second, duration, error);
-    const std::optional<double> m = first_root(P.A, P.B, P.C);
-    if (!m || *m > 1)
-        return std::nullopt;
-    return *m * duration;
 }
 
 // All members that can be NaN.
@@ -93,31 +72,6 @@ TEST(FirstRoot, nothing_is_apart_that_is_not_a_number)
     EXPECT_EQ(first_root(1, 1, not_a_number), 0.0);
     EXPECT_EQ(first_root(-unbounded, 1, unbounded), 0.0);
     EXPECT_EQ(first_root(1e300, -1e300, 1e300), 0.0) << "the discriminant overflows";
-}
-
-TEST(TimeOfProximity, head_on)
-{
-    // Two unit balls, 10 apart, each at 1 per tick: they touch after 4 ticks.
-    const Envelope left = ball({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3::Zero()}, 1);
-    const Envelope right = ball({Vector3(10, 0, 0), Vector3(-1, 0, 0), Vector3::Zero()}, 1);
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 8), 4, 1e-12);
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 8), 4, 1e-12);
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 4), 4, 1e-12) << "touching at the very end counts";
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 4), 4, 1e-12);
-    EXPECT_FALSE(sphere_time_of_proximity(left, right, 3.999));
-    EXPECT_FALSE(box_time_of_proximity(left, right, 3.999));
-}
-
-TEST(TimeOfProximity, box_is_the_latest_of_the_three_entries)
-{
-    const Envelope still = ball(resting_at(Vector3::Zero()), 1);
-    // The box enters the slabs of x, y, z at 2, 5 and 3, and leaves that of x at 6.
-    const Envelope moving = ball({Vector3(4, 7, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
-    EXPECT_NEAR(box_time_of_proximity(still, moving, 10).value_or(-1), 5, 1e-12);
-    const Envelope passing = ball({Vector3(4, 7.9, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
-    EXPECT_NEAR(box_time_of_proximity(still, passing, 10).value_or(-1), 5.9, 1e-12);
-    const Envelope missing = ball({Vector3(4, 8.1, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
-    EXPECT_FALSE(box_time_of_proximity(still, missing, 20)) << "x is left before y is entered";
 }
 
 TEST(TimeOfProximity, infinite_bounds)
@@ -195,24 +149,4 @@ TEST(TimeOfProximity, infinite_and_huge_positions_are_not_apart_by_mistake)
     const Envelope far = ball({Vector3(1e12, 0, 0), Vector3(1e6, 0, 0), Vector3::Zero()}, 1);
     EXPECT_FALSE(box_time_of_proximity(first, far, 10));
     EXPECT_FALSE(sphere_time_of_proximity(first, far, 10));
-}
-
-TEST(ChordError, braking_and_turning_back_is_missed_by_equation_4)
-{
-    // s(t) = t - t^2 / 100 reaches 25 at t = 50 and is back at 16 after 80 ticks. The motion is along one line, so equation 4
-    // finds no error, and the chord ends at 16, before the ball that is hit at s = 20.
-    const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
-    const Envelope still = ball(resting_at(Vector3(22, 0, 0)), 1);
-    const double duration = 80;
-    const double contact = duration * static_cast<double>(*first_sphere_contact(braking, still, duration));
-    EXPECT_NEAR(contact, (1 - std::sqrt(0.2)) / 0.02, 1e-9);
-
-    EXPECT_EQ(perpendicular_chord_error(braking.path, duration), 0);
-    EXPECT_FALSE(time_of_proximity_by_equation_4(braking, still, duration));
-
-    const std::optional<double> ours = sphere_time_of_proximity(braking, still, duration);
-    ASSERT_TRUE(ours);
-    EXPECT_LE(*ours, contact);
-    ASSERT_TRUE(box_time_of_proximity(braking, still, duration));
-    EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
 }

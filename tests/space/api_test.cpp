@@ -327,19 +327,5 @@ TEST_F(PredictiveSpace, TheMemoryOfDestroyedGeomsIsGivenBack)
         EXPECT_LT(stats().bytes, empty + 64 * 1024);
     }
 }
-
-TEST_F(PredictiveSpace, TheSettingsOfOneSpaceAreNotThoseOfAnother)
-{
-    dSpaceID other = dPredictiveSpaceCreate(nullptr);
-    dPredictiveSpaceSetHorizon(space, 5, 6);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
-    dPredictiveSpaceSetDeviation(space, 0, 1, 2, 3);
-    int min_ticks, max_ticks;
-    dPredictiveSpaceGetHorizon(other, &min_ticks, &max_ticks);
-    EXPECT_NE(max_ticks, 6);
-    EXPECT_EQ(dPredictiveSpaceGetProximity(other), dPredictiveProximityBox);
-    EXPECT_EQ(dPredictiveSpaceGetDeviation(other, 0, nullptr, nullptr, nullptr), 0);
-    dSpaceDestroy(other);
-}
 } // namespace
 } // namespace ode_predictive_space

@@ -24,6 +24,15 @@ struct TwoProbeWorld
 
     void collide() { dSpaceCollide(world.space, this, &near); }
 
+    void tick(int number)
+    {
+        for (HapticProbe *probe : probes)
+            probe->begin(dt * number);
+        collide();
+        for (HapticProbe *probe : probes)
+            probe->render(dt);
+    }
+
     static void near(void *data, dGeomID first, dGeomID second)
     {
         for (HapticProbe *probe : static_cast<TwoProbeWorld *>(data)->probes)
@@ -41,6 +50,20 @@ VirtualDevice hand_from(double side, double stroke = 0.01)
         return {side * (0.05 - u * u * (3 - 2 * u) * (0.05 - radius + stroke)), 0, 0};
     });
 }
+
+struct PressedProbes
+{
+    explicit PressedProbes(TwoProbeWorld &scene, const RenderSettings &settings = {}, dSpaceID of_second = nullptr)
+        : first(left, scene.world.space, radius, settings),
+          second(right, of_second ? of_second : scene.world.space, radius)
+    {
+        scene.probes[0] = &first;
+        scene.probes[1] = &second;
+    }
+
+    VirtualDevice left = hand_from(-1), right = hand_from(1);
+    HapticProbe first, second;
+};
 
 /// What both hands feel from the third second on.
 struct Balance
@@ -73,26 +96,19 @@ TEST_F(TwoProbes, PressedOnEachOtherFeelTheSameForceInEitherOrder)
     for (const int order : {0, 1, 2, 3})
     {
         TwoProbeWorld scene;
-        VirtualDevice left = hand_from(-1);
-        VirtualDevice right = hand_from(1);
         RenderSettings soft;
         soft.law = std::make_shared<ProxyLaw>(Material{300});
-        HapticProbe first(left, scene.world.space, radius, order < 2 ? RenderSettings() : soft);
-        HapticProbe second(right, scene.world.space, radius);
-        scene.probes[order % 2] = &first;
-        scene.probes[1 - order % 2] = &second;
+        PressedProbes hands(scene, order < 2 ? RenderSettings() : soft);
+        if (order % 2 == 1)
+            std::swap(scene.probes[0], scene.probes[1]);
         Balance balance;
         for (int tick = 0; tick < 8000; ++tick)
         {
-            for (HapticProbe *probe : scene.probes)
-                probe->begin(dt * tick);
-            scene.collide();
-            for (HapticProbe *probe : scene.probes)
-                probe->render(dt);
-            balance.add(first.last_tick(), second.last_tick());
+            scene.tick(tick);
+            balance.add(hands.first.last_tick(), hands.second.last_tick());
         }
         balance.expect_even("order " + std::to_string(order));
-        EXPECT_LT(first.last_tick().force.x(), 0);
+        EXPECT_LT(hands.first.last_tick().force.x(), 0);
     }
 }
 
@@ -102,19 +118,15 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
     for (const bool decoupled : {false, true})
     {
         TwoProbeWorld scene;
-        VirtualDevice left = hand_from(-1);
-        VirtualDevice right = hand_from(1);
-        HapticProbe first(left, scene.world.space, radius);
-        HapticProbe second(right, scene.world.space, radius);
-        scene.probes[0] = &first;
-        scene.probes[1] = &second;
+        PressedProbes hands(scene);
+        HapticProbe &second = hands.second;
         SimulatedClock clock;
         LoopSettings settings;
         settings.decoupled = decoupled;
         settings.duration = 8;
         settings.clock = &clock;
         Balance balance;
-        HapticLoop loop(first, settings);
+        HapticLoop loop(hands.first, settings);
         SceneWork work;
         work.collide = [&] {
             second.begin(clock.now());
@@ -212,12 +224,7 @@ TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
 {
     for (const bool decoupled : {false, true})
     {
-        VirtualDevice left = hand_from(-1);
-        VirtualDevice right = hand_from(1);
-        HapticProbe first(left, scene_.world.space, radius);
-        HapticProbe second(right, scene_.world.space, radius);
-        scene_.probes[0] = &first;
-        scene_.probes[1] = &second;
+        const PressedProbes hands(scene_);
         ClockInTurns::Turns turns;
         Balance balance;
         RenderedTick latest[2];
@@ -283,11 +290,7 @@ TEST_F(TwoProbes, OneThatIsFarFromTheToolOfTheOtherFeelsNothingOfIt)
     scene.probes[1] = &second;
     for (int tick = 0; tick < 3000; ++tick)
     {
-        first.begin(dt * tick);
-        second.begin(dt * tick);
-        scene.collide();
-        first.render(dt);
-        second.render(dt);
+        scene.tick(tick);
         ASSERT_TRUE(second.last_tick().force.isZero(0)) << tick;
         ASSERT_NEAR(first.last_tick().force.x(), 0, 1e-9) << tick;
     }
@@ -300,28 +303,16 @@ TEST_F(TwoProbes, FeelNothingOfEachOtherWhereTheirBitsOrSpacesSayNo)
     {
         TwoProbeWorld scene;
         ProbeWorld elsewhere;
-        VirtualDevice left = hand_from(-1);
-        VirtualDevice right = hand_from(1);
-        HapticProbe first(left, scene.world.space, radius);
-        HapticProbe second(right, by_bits ? scene.world.space : elsewhere.space, radius);
-        if (by_bits)
+        PressedProbes hands(scene, {}, by_bits ? nullptr : elsewhere.space);
+        for (const HapticProbe *probe : scene.probes)
         {
-            for (HapticProbe *probe : {&first, &second})
-            {
-                dGeomSetCategoryBits(probe->geom(), 1);
-                dGeomSetCollideBits(probe->geom(), ~1UL);
-            }
+            dGeomSetCategoryBits(probe->geom(), by_bits ? 1 : ~0UL);
+            dGeomSetCollideBits(probe->geom(), by_bits ? ~1UL : ~0UL);
         }
-        scene.probes[0] = &first;
-        scene.probes[1] = &second;
         for (int tick = 0; tick < 3000; ++tick)
         {
-            first.begin(dt * tick);
-            second.begin(dt * tick);
-            scene.collide();
-            first.render(dt);
-            second.render(dt);
-            ASSERT_TRUE(first.last_tick().force.isZero(0) && second.last_tick().force.isZero(0)) << tick;
+            scene.tick(tick);
+            ASSERT_TRUE(hands.first.last_tick().force.isZero(0) && hands.second.last_tick().force.isZero(0)) << tick;
         }
     }
 }
@@ -337,13 +328,7 @@ TEST_F(TwoProbes, OneThatIsDestroyedIsFeltNoMore)
     scene.probes[1] = second.get();
     int tick = 0;
     for (; tick < 3000; ++tick)
-    {
-        first.begin(dt * tick);
-        second->begin(dt * tick);
-        scene.collide();
-        first.render(dt);
-        second->render(dt);
-    }
+        scene.tick(tick);
     ASSERT_GT(first.last_tick().force.norm(), 1);
     second.reset();
     scene.probes[1] = &first;
