@@ -76,6 +76,16 @@ TEST_F(LookBudgets, OfLongAgoAreForgotten)
     EXPECT_LT(look_in_vain(500, 2000), 0.05f * contacts(500) + 2000);
 }
 
+TEST_F(LookBudgets, PayForDataThatChangeAgainAndAgain)
+{
+    budget.note_hull(mesh, 1, 1000);
+    EXPECT_TRUE(budget.allows_look(mesh)) << "all data are read once";
+    budget.note_hull(mesh, 1, 1000);
+    EXPECT_TRUE(budget.allows_look(mesh)) << "the hull is the same";
+    budget.note_hull(mesh, 2, 1000);
+    EXPECT_FALSE(budget.allows_look(mesh));
+}
+
 TEST_F(LookBudgets, DoNotGrowWithPairsThatComeAndGo)
 {
     look_in_vain(500, 2000);

@@ -261,6 +261,20 @@ TEST_F(Times, CountTicksWhateverIsAskedWithinThem)
     dGeomDestroy(probe);
 }
 
+TEST_F(Times, AreNotThoseOfAnotherGeomThatIsAskedAboutAfterOneHasComeToRest)
+{
+    fill(20);
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0);
+    const dGeomID first = scene.sphere(0.1, 0, 50, 0), last = scene.sphere(0.1, 0, 80, 0);
+    expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+        const dReal way = REAL(0.01) * static_cast<dReal>(tick);
+        dGeomSetPosition(one, way, 0, 0);
+        dGeomSetPosition(first, std::min(way, REAL(0.2)), 50, 0);
+        dGeomSetPosition(last, 0, 80 + way, 0);
+        ask(tick < 60 ? first : last, other);
+    }));
+}
+
 // The callback is called for pairs within the margin.
 TEST_F(Times, OfShapesLastUntilTheMargin)
 {
