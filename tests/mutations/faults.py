@@ -33,7 +33,7 @@ def notice_faults():
     entry = BROADPHASE + "broadphase.h"
     tick = BROADPHASE + "broadphase.cpp"
     places = (("broadphase", "Place.*"),)
-    reports = (("broadphase", "*AnyWorld*"), ("contract", "Notice.*:UnchangedPose.*"))
+    reports = (("broadphase", "*AnyWorld*:Tick.*"), ("contract", "Notice.*:UnchangedPose.*"))
     yield Fault(
         "tight_box_without_margin", "notices", place,
         "half + ((abs(centre) + half) * Float4::all(unit) + doubt);", "half;", places)
@@ -68,7 +68,7 @@ def notice_faults():
         "(void)changed;\n        return outcome((allowed.bits() & three_lanes) == three_lanes, true);", reports + places)
     yield Fault(
         "digest_of_one_coordinate", "notices", place, "centre * Float4(0.25f, 0.34293f, 0.43478f, 0)", "centre * Float4(0.25f, 0, 0, 0)",
-        reports)
+        (("times", "Times.OfAGeomThatTheProgramMovesAreNeverLate"),))
     yield Fault(
         "lost_notices", "notices", entry, "if (followed == Followed::moved)\n            note_move(place);", "", (("broadphase", "Tick.*:*AnyWorld*"),))
     yield Fault(
@@ -187,7 +187,7 @@ def predict_faults():
         (("broadphase", "Predictor.*:Tick.*"),))
     yield Fault(
         "samples_outlive_the_object", "predict", tick, "shapes_.forget(id);\n    predictor_.forget(id);",
-        "shapes_.forget(id);", (("broadphase", "Predictor.*"), ("times", "Times.*")))
+        "shapes_.forget(id);", (("times", "Times.OfANewGeomAreNotThoseOfTheOneBefore"),))
     yield Fault(
         "tightened_too_far", "predict", BROADPHASE + "objects/place.h",
         "max(Float4::all(radius) - half - margin, Float4::all(0))", "Float4::all(radius) - Float4::all(0.9f) * half - margin",
