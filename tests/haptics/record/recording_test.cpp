@@ -186,15 +186,6 @@ TEST(Recording, SaysWhyItCannotOpenAFile)
     EXPECT_EQ(problem_with(locked.name()).fault, DeviceFault::permission_denied);
 }
 
-TEST(ForceError, IsZeroForEqualForces)
-{
-    const std::vector<Vector3> forces = {{1, 2, 3}, {0, 0, 0}};
-    const ForceError error = compare_forces(forces, forces);
-    EXPECT_EQ(error.rms, 0);
-    EXPECT_EQ(error.max, 0);
-    EXPECT_EQ(error.relative, 0);
-}
-
 TEST(ForceError, MeasuresTheDifference)
 {
     const ForceError error = compare_forces({{3, 0, 0}, {0, 4, 0}}, {{3, 0, 1}, {3, 0, 0}});

@@ -200,15 +200,6 @@ TEST(ReplayDevice, StaysAtTheEndAndSaysSo)
     EXPECT_EQ(device.read(7).position, path(0));
 }
 
-TEST(ReplayDevice, OneTickIsAHandThatRests)
-{
-    ReplayDevice device(smooth_run(3, 1, 1));
-    device.open();
-    EXPECT_EQ(device.read(0).position, path(0));
-    EXPECT_EQ(device.read(0).linear_velocity, Vector3::Zero());
-    EXPECT_EQ(device.read(1).position, path(0));
-}
-
 TEST(ReplayDevice, OpenSaysWhatIsWrongWithTheFile)
 {
     ReplayDevice missing("/no/such/file.txt");
