@@ -97,19 +97,21 @@ void expect_never_late(std::uint64_t seed, TimeOfProximity &predict,
 
 TEST(NeverLate, time_of_proximity_of_spheres)
 {
-    expect_never_late(1000, sphere_time_of_proximity, first_sphere_contact, [](const EnvelopePair &pair, std::optional<double> predicted) {
-        if (predicted)
-            expect_not_needlessly_early_by_spheres(pair, *predicted);
-    });
+    expect_never_late(1000, sphere_time_of_proximity, first_sphere_contact,
+                      [](const EnvelopePair &pair, std::optional<double> predicted) {
+                          if (predicted)
+                              expect_not_needlessly_early_by_spheres(pair, *predicted);
+                      });
 }
 
 TEST(NeverLate, time_of_proximity_of_boxes)
 {
-    expect_never_late(2000, box_time_of_proximity, first_box_contact, [](const EnvelopePair &pair, std::optional<double> predicted) {
-        expect_computed_boxes_apart(pair, 0, predicted);
-        if (predicted)
-            expect_not_needlessly_early_by_boxes(pair, *predicted);
-    });
+    expect_never_late(2000, box_time_of_proximity, first_box_contact,
+                      [](const EnvelopePair &pair, std::optional<double> predicted) {
+                          expect_computed_boxes_apart(pair, 0, predicted);
+                          if (predicted)
+                              expect_not_needlessly_early_by_boxes(pair, *predicted);
+                      });
 }
 
 TEST(NeverLate, time_in_halves)

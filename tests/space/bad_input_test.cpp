@@ -34,7 +34,8 @@ struct Settings
 
     bool operator==(const Settings &other) const
     {
-        return proximity == other.proximity && role == other.role && margin == other.margin && std::equal(fixed, fixed + 2, other.fixed) &&
+        return proximity == other.proximity && role == other.role && margin == other.margin &&
+               std::equal(fixed, fixed + 2, other.fixed) &&
                std::equal(&deviation[0][0], &deviation[0][0] + 6, &other.deviation[0][0]) &&
                std::equal(horizon, horizon + 2, other.horizon);
     }
@@ -158,17 +159,17 @@ TEST_F(BadInput, DeviationsAndMargins)
     for (dReal bad : {dReal(-1), -std::numeric_limits<dReal>::min(), nan_value, infinite, -infinite})
     {
         expect_refused("dPredictiveSpaceSetShapeMargin", "margin", [=] { dPredictiveSpaceSetShapeMargin(space, bad); });
-    {
-        for (int role : {0, 1})
         {
-            expect_refused("dPredictiveSpaceSetDeviation", " a",
-                           [=] { dPredictiveSpaceSetDeviation(space, role, bad, 1, 1); });
-            expect_refused("dPredictiveSpaceSetDeviation", " b",
-                           [=] { dPredictiveSpaceSetDeviation(space, role, 1, bad, 1); });
-            expect_refused("dPredictiveSpaceSetDeviation", " c",
-                           [=] { dPredictiveSpaceSetDeviation(space, role, 1, 1, bad); });
+            for (int role : {0, 1})
+            {
+                expect_refused("dPredictiveSpaceSetDeviation", " a",
+                               [=] { dPredictiveSpaceSetDeviation(space, role, bad, 1, 1); });
+                expect_refused("dPredictiveSpaceSetDeviation", " b",
+                               [=] { dPredictiveSpaceSetDeviation(space, role, 1, bad, 1); });
+                expect_refused("dPredictiveSpaceSetDeviation", " c",
+                               [=] { dPredictiveSpaceSetDeviation(space, role, 1, 1, bad); });
+            }
         }
-    }
     }
 }
 
