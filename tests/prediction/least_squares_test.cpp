@@ -40,15 +40,6 @@ TEST(LeastSquares, times_far_from_zero)
     expect_same(fit(samples_of(known_path, {5, 4, 2, 1, 0}, -4e9)).path, known_path, 1e-12);
 }
 
-TEST(LeastSquares, residual_is_the_root_mean_square_distance)
-{
-    // The samples alternate by 1: the best parabola of four leaves a cubic of (-1, 3, -3, 1) / 20 times 8.
-    const FittedPath fitted =
-        fit({{0, Vector3(-1, 0, 0)}, {1, Vector3(1, 0, 0)}, {2, Vector3(-1, 0, 0)}, {3, Vector3(1, 0, 0)}});
-    const double remainder = 8.0 / 20;
-    EXPECT_NEAR(fitted.residual, remainder * std::sqrt((1 + 9 + 9 + 1) / 4.0), 1e-14);
-}
-
 TEST(LeastSquares, is_the_best_of_all_paths)
 {
     const std::vector<Sample> samples = {{0, Vector3(0, 3, 1)},

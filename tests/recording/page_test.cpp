@@ -29,13 +29,6 @@ TEST(Page, DrawsLinesAndDots)
     EXPECT_EQ(count_of("<circle cx=\"790.0\" cy=\"132.5\"", text), 1u) << text;
 }
 
-TEST(Page, ALogarithmicAxisHasWholeDecades)
-{
-    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 1}, {1, 50}}}}, true}}});
-    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,46.9 \"", text), 1u) << text;
-    EXPECT_EQ(count_of(">100</text>", text), 1u);
-}
-
 TEST(Page, LeavesOutWhatHasNoPoints)
 {
     const double none = std::numeric_limits<double>::quiet_NaN();
