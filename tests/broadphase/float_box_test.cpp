@@ -71,11 +71,6 @@ void expect_rounded_outwards(double value)
     }
 }
 
-Box cube(double low, double high)
-{
-    return Box(Vector3::Constant(low), Vector3::Constant(high));
-}
-
 TEST(Rounding, IsOutwardsAndTightForAllKindsOfDoubles)
 {
     Random random(2);
@@ -115,47 +110,6 @@ TEST(FloatBox, RoundsEachSideAsRoundingDoes)
             ASSERT_EQ(box.high[axis], round_up(high[axis]));
         }
     }
-}
-
-TEST(FloatBox, OfWhatIsNotANumberIsEverywhere)
-{
-    const FloatBox lost = FloatBox::around(cube(nan, nan));
-    EXPECT_TRUE(lost.overlaps(FloatBox::around(cube(1e30, 2e30))));
-    EXPECT_TRUE(lost.overlaps(FloatBox::around(cube(infinity, infinity))));
-    EXPECT_TRUE(lost.overlaps(lost));
-    EXPECT_FALSE(lost.bounded());
-}
-
-TEST(FloatBox, OverlapIsThatOfEachAxis)
-{
-    Random random(4);
-    for (int i = 0; i < 100000; ++i)
-    {
-        const FloatBox a = random.box(1, 1.5), b = random.box(1, 1.5);
-        bool expected = true;
-        for (int axis = 0; axis < 3; ++axis)
-            expected = expected && std::max(a.low[axis], b.low[axis]) <= std::min(a.high[axis], b.high[axis]);
-        ASSERT_EQ(a.overlaps(b), expected);
-        ASSERT_EQ(b.overlaps(a), expected);
-    }
-}
-
-TEST(FloatBox, IsBoundedWhenEverySideIs)
-{
-    EXPECT_TRUE(FloatBox::around(cube(-1e12, 1e12)).bounded());
-    EXPECT_TRUE(FloatBox::around(cube(0, 0)).bounded());
-    for (double far : {1e16, infinity, nan, std::numeric_limits<double>::max()})
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            Box box = cube(-1, 1);
-            box.max()[axis] = far;
-            EXPECT_FALSE(FloatBox::around(box).bounded()) << far;
-            box = cube(-1, 1);
-            box.min()[axis] = -far;
-            EXPECT_FALSE(FloatBox::around(box).bounded()) << -far;
-            box.min()[axis] = box.max()[axis] = far;
-            EXPECT_FALSE(FloatBox::around(box).bounded()) << "all of it at " << far;
-        }
 }
 
 } // namespace

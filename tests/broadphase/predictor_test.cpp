@@ -82,20 +82,6 @@ Object alone(const Vector3 &centre)
     return object;
 }
 
-TEST(Predictor, UniformMotionIsPredictedForLongerAndLonger)
-{
-    Lone lone(moving_ball({0.3, -0.1, 0.2}));
-    std::vector<std::uint64_t> predictions;
-    for (int time = 0; time < 10; ++time)
-    {
-        const std::uint64_t before = lone.predictions();
-        lone.fly(2000);
-        predictions.push_back(lone.predictions() - before);
-    }
-    EXPECT_LT(predictions.back(), 2000u / 300);
-    EXPECT_GE(predictions.front(), predictions.back());
-}
-
 // An extrapolated leap would be an envelope across the room, which meets everything.
 TEST(Predictor, ALeapIsNotExtrapolated)
 {
@@ -124,38 +110,6 @@ TEST(Predictor, WhatGoesFartherInATickThanAnEnvelopeReachesIsNotExtrapolated)
             ASSERT_LT(box.high[0] - box.low[0], 0.25) << "tick " << tick;
         }
     }
-}
-
-TEST(Predictor, AnObjectThatNeverMovedHasNoSlack)
-{
-    Lone lone(alone({1, 2, 3}));
-    lone.tick();
-    const FloatBox box = lone.envelope();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        EXPECT_NEAR(box.low[axis], 1 + axis - radius, 1e-5);
-        EXPECT_NEAR(box.high[axis], 1 + axis + radius, 1e-5);
-    }
-    EXPECT_EQ(lone.record().role, Role::environment);
-}
-
-TEST(Predictor, ResultsDoNotDependOnTheUnitOfTime)
-{
-    std::set<std::uint64_t> predictions;
-    for (double unit : {0x1p-14, 1.0, 0x1p14})
-    {
-        Lone lone(moving_ball({0.4, 0, 0}));
-        for (int tick = 0; tick < 2000; ++tick)
-        {
-            lone.object().centre += Vector3(0.0004, 0, 0);
-            lone.object().velocity = Vector3(0.0004, 0, 0) / unit;
-            lone.tick();
-        }
-        EXPECT_LT(lone.predictions(), 20u);
-        predictions.insert(lone.predictions());
-        EXPECT_NEAR(lone.forecast().envelope.path.velocity.x(), 0.0004, 1e-6);
-    }
-    EXPECT_LE(predictions.size(), 2u);
 }
 
 TEST(Predictor, JitterEndsInSlack)
@@ -267,52 +221,6 @@ TEST(Predictor, ObjectsThatWereAddedTogetherDoNotLeaveTheirEnvelopesTogether)
     for (const ProxyRecord &record : world.broadphase.proxies().records)
         reaches.insert(record.reach);
     EXPECT_GT(reaches.size(), 90u);
-}
-
-TEST(Predictor, NotANumberHarmsNoOtherObject)
-{
-    World world;
-    const ProxyId good = world.add(moving_ball({0.5, 0, 0}));
-    const ProxyId lost = world.add(moving_ball({0.5, 0, 0}));
-    world.object(lost).displacement = Vector3::Zero();
-    const auto run = [&](int ticks) {
-        const std::uint64_t before = world.broadphase.counters().repredictions;
-        for (int tick = 0; tick < ticks; ++tick)
-        {
-            world.advance();
-            world.tick();
-            EXPECT_EQ(world.violated_invariant(), "");
-        }
-        return world.broadphase.counters().repredictions - before;
-    };
-    run(200);
-    world.broadphase.forecast(world, good, 0); // from now on it is sampled
-    for (const Vector3 &bad :
-         {Vector3(nan, 0, 0), Vector3(infinity, 0, 0), Vector3(0, -infinity, nan), Vector3(1e300, 0, 0)})
-        for (int tick = 0; tick < 10; ++tick)
-        {
-            world.object(lost).velocity = bad;
-            world.place(lost, bad);
-            run(1);
-        }
-    EXPECT_NEAR(world.broadphase.forecast(world, good, 0).envelope.path.velocity.x(), 0.5 * step, 1e-9);
-    world.object(lost) = moving_ball({0.5, 0, 0});
-    world.place(lost, {0, 5, 0});
-    run(1000);
-    EXPECT_LT(run(1000), 50u) << "the object is back and is predicted like any other";
-}
-
-TEST(Predictor, InfiniteBoundsKeepTheirFiniteSide)
-{
-    Lone lone(block({0, 0, -6.5}, {infinity, infinity, 8}, {0, 0, 0}, false));
-    for (int tick = 0; tick < 3; ++tick)
-        lone.tick();
-    const FloatBox envelope = lone.envelope();
-    EXPECT_EQ(envelope.low[1], -float_infinity);
-    EXPECT_EQ(envelope.high[0], float_infinity);
-    EXPECT_GE(envelope.high[2], 1.5);
-    EXPECT_LE(envelope.high[2], 1.6);
-    EXPECT_TRUE(lone.forecast().still());
 }
 
 // Sizes, places and velocities have any magnitude.

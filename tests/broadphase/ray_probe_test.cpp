@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/broadphase/index/envelope_tree.h"
 #include "tests/broadphase/support/numbers.h"
 #include "tests/broadphase/support/random.h"
 
@@ -111,48 +110,6 @@ TEST(RayProbe, WhatIsInfiniteOrNotANumberIsMet)
     EXPECT_TRUE(
         line.overlaps({{-float_infinity, -float_infinity, -float_infinity}, {float_infinity, float_infinity, 1}}));
     EXPECT_TRUE(line.overlaps({{nan, nan, nan}, {nan, nan, nan}}));
-}
-
-TEST(RayProbe, ATreeIsFollowedAlongTheLine)
-{
-    // A room with 20,000 cubes of side 0.2. The bounding boxes of the lines across it hold a tenth of the cubes.
-    Random random(6);
-    EnvelopeTree tree;
-    std::vector<FloatBox> boxes;
-    for (ProxyId i = 0; i < 20000; ++i)
-    {
-        const Vector3 centre = random.vector(10), half = Vector3::Constant(0.1);
-        boxes.push_back(FloatBox::around(Box(centre - half, centre + half)));
-        tree.insert(i, boxes.back());
-    }
-    struct CountingLine
-    {
-        RayProbe line;
-        std::size_t &asked;
-        unsigned overlaps(const FourBoxes &boxes) const
-        {
-            ++asked;
-            return line.overlaps(boxes);
-        }
-    };
-    std::size_t asked = 0, found_along = 0, found_in_box = 0;
-    for (int i = 0; i < 100; ++i)
-    {
-        const Vector3 start = random.vector(10), end = random.vector(10);
-        std::vector<ProxyId> found, expected;
-        tree.walk(CountingLine{{start, end}, asked}, [&](ProxyId proxy) { found.push_back(proxy); });
-        std::sort(found.begin(), found.end());
-        for (ProxyId proxy = 0; proxy < boxes.size(); ++proxy)
-            if (RayProbe(start, end).overlaps(boxes[proxy]))
-                expected.push_back(proxy);
-        ASSERT_EQ(found, expected);
-        found_along += found.size();
-        const Box bounds(start.cwiseMin(end), start.cwiseMax(end));
-        tree.walk(BoxProbe(FloatBox::around(bounds)), [&](ProxyId) { ++found_in_box; });
-    }
-    EXPECT_GT(found_along, 100u);
-    EXPECT_GT(found_in_box, 50 * found_along);
-    EXPECT_LT(asked, found_in_box / 2) << "branches beside the line are left out as a whole";
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -133,25 +133,6 @@ TEST(SortAndSweep, TinyBoxesAtTheSamePlaceAreToldApart)
     }
 }
 
-TEST(SortAndSweep, TouchingBoxesOverlap)
-{
-    Items items;
-    for (ProxyId z = 0; z < 7; ++z)
-        for (ProxyId y = 0; y < 7; ++y)
-            for (ProxyId x = 0; x < 7; ++x)
-            {
-                const float low[] = {static_cast<float>(x) - 3, static_cast<float>(y) - 3, static_cast<float>(z) - 3};
-                items.push_back({static_cast<ProxyId>(items.size()),
-                                 {{low[0], low[1], low[2]}, {low[0] + 1, low[1] + 1, low[2] + 1}}});
-            }
-    SortAndSweep sweep;
-    expect_all_pairs(sweep, items);
-    std::vector<CandidatePair> found;
-    sweep.find_pairs(items, found);
-    // Along each axis there are 7 equal places and 2 * 6 ordered pairs of neighbours.
-    EXPECT_EQ(found.size(), (19u * 19u * 19u - 343u) / 2u);
-}
-
 // Boxes in a grid that do not touch, row by row; x varies slowest, second or fastest.
 Items grid_row_by_row(int side, int turn)
 {

@@ -34,20 +34,12 @@ refuses() {
 refuses nonsense
 refuses clients
 refuses dev nonsense
-refuses dev hello
-refuses hello again
-refuses build everything
 refuses test --preset
 refuses bench --ode
 refuses bench --ode newest
-refuses bench soup
 refuses dev fuzz never
-refuses dev coverage all
 refuses dev variants msvc
-refuses dev package everything
 refuses dev plots
-refuses dev drawings path
-refuses dev docs latex
 refuses format --all
 refuses dev tidy first
 

@@ -3,8 +3,6 @@
 # Usage: build_with_pkg_config.sh <libdir of the prefix> <package> <program> <compiler> <flags and sources>
 set -eu
 
-PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
-export PKG_CONFIG_PATH
 libdir=$1
 package=$2
 program=$3

@@ -1,14 +1,12 @@
 #!/bin/sh
 # Do the headers in the prefix warn in programs with more warnings than the library's own build has? All are compiled in C++17,
 # 20 and 23, and the C header in C89, C99 and C11. Warnings in foreign headers are ignored.
-# Usage: check_warnings.sh <libdir of the prefix> <includedir of the prefix> <C compiler> <C++ compiler>
+# Usage: check_warnings.sh <includedir of the prefix> <C compiler> <C++ compiler>
 set -eu
 
-PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
-export PKG_CONFIG_PATH
-includedir=$2
-c=$3
-cxx=$4
+includedir=$1
+c=$2
+cxx=$3
 
 others=$(pkg-config --cflags eigen3 ode | sed 's/-I/-isystem /g')
 flags="$others -I$includedir -fsyntax-only -pedantic -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Werror"

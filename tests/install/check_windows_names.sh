@@ -1,14 +1,12 @@
 #!/bin/sh
 # Do the headers in the prefix compile after windows.h? That header defines macros without a prefix, which erase or replace every name
 # that is the same. The macros are defined here, after the headers of others, which have to bear them by themselves.
-# Usage: check_windows_names.sh <libdir of the prefix> <includedir of the prefix> <C compiler> <C++ compiler>
+# Usage: check_windows_names.sh <includedir of the prefix> <C compiler> <C++ compiler>
 set -eu
 
-PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
-export PKG_CONFIG_PATH
-includedir=$2
-c=$3
-cxx=$4
+includedir=$1
+c=$2
+cxx=$3
 
 others=$(pkg-config --cflags eigen3 ode | sed 's/-I/-isystem /g')
 flags="$others -I$includedir -fsyntax-only -Werror"

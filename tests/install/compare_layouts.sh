@@ -1,15 +1,13 @@
 #!/bin/sh
 # Fails if a class of the headers in the prefix has another size or alignment in programs that are compiled for AVX or AVX-512.
 # Only GCC can list all classes.
-# Usage: compare_layouts.sh <libdir of the prefix> <package> <includedir of the prefix> <scratch folder> <compiler> <flags>
+# Usage: compare_layouts.sh <package> <includedir of the prefix> <scratch folder> <compiler> <flags>
 set -eu
 
-PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
-export PKG_CONFIG_PATH
-package=$2
-includedir=$3
-scratch=$4
-shift 4
+package=$1
+includedir=$2
+scratch=$3
+shift 3
 
 flags=$(pkg-config --cflags "$package")
 eval "set -- \"\$@\" $flags"

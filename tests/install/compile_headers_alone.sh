@@ -1,15 +1,13 @@
 #!/bin/sh
 # Compiles each header of a folder of the prefix alone, with the flags of pkg-config. Nearly all of the time is for reading
 # Eigen.
-# Usage: compile_headers_alone.sh <libdir of the prefix> <package> <includedir of the prefix> <folder in it> <compiler> <flags>
+# Usage: compile_headers_alone.sh <package> <includedir of the prefix> <folder in it> <compiler> <flags>
 set -eu
 
-PKG_CONFIG_PATH=$1/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
-export PKG_CONFIG_PATH
-package=$2
-includedir=$3
-folder=$4
-shift 4
+package=$1
+includedir=$2
+folder=$3
+shift 3
 
 flags=$(pkg-config --cflags "$package")
 eval "set -- \"\$@\" $flags"

@@ -15,13 +15,4 @@ TEST(Layout, IsThatOfOdesSource)
         EXPECT_EQ(ours.at(name), value) << name;
     }
 }
-
-TEST(Layout, OfVirtualFunctionsIsSeen)
-{
-    const LayoutFacts ours = facts_of_our_header();
-    const long slot = sizeof(void *);
-    EXPECT_EQ(ours.at("dxGeom::controlGeometry()"), 2 * slot) << "behind the two destructors";
-    EXPECT_EQ(ours.at("dxSpace::collide2()"), 11 * slot) << "the last";
-    EXPECT_EQ(ours.at("dxGeom::computePosr()"), -1) << "not virtual";
-}
 } // namespace

@@ -33,7 +33,7 @@ def notice_faults():
     entry = BROADPHASE + "broadphase.h"
     tick = BROADPHASE + "broadphase.cpp"
     places = (("broadphase", "Place.*"),)
-    reports = (("broadphase", "*ReportOfAMove.*:*AnyWorld*"),)
+    reports = (("broadphase", "*AnyWorld*:Tick.*"), ("contract", "Notice.*:UnchangedPose.*"))
     yield Fault(
         "tight_box_without_margin", "notices", place,
         "half + ((abs(centre) + half) * Float4::all(unit) + doubt);", "half;", places)
@@ -68,9 +68,9 @@ def notice_faults():
         "(void)changed;\n        return outcome((allowed.bits() & three_lanes) == three_lanes, true);", reports + places)
     yield Fault(
         "digest_of_one_coordinate", "notices", place, "centre * Float4(0.25f, 0.34293f, 0.43478f, 0)", "centre * Float4(0.25f, 0, 0, 0)",
-        (("broadphase", "*ReportOfAMove.*:*AnyWorld*"), ("contract", "Notice.*:UnchangedPose.*")))
+        (("times", "Times.OfAGeomThatTheProgramMovesAreNeverLate"),))
     yield Fault(
-        "lost_notices", "notices", entry, "if (followed == Followed::moved)\n            note_move(place);", "", (("broadphase", "Tick.*:*ReportOfAMove.*"),))
+        "lost_notices", "notices", entry, "if (followed == Followed::moved)\n            note_move(place);", "", (("broadphase", "Tick.*:*AnyWorld*"),))
     yield Fault(
         "left_in_another_size", "notices", entry, "is_finite(place.tight_lanes()) && same_size())",
         "is_finite(place.tight_lanes()))", reports)
@@ -187,7 +187,7 @@ def predict_faults():
         (("broadphase", "Predictor.*:Tick.*"),))
     yield Fault(
         "samples_outlive_the_object", "predict", tick, "shapes_.forget(id);\n    predictor_.forget(id);",
-        "shapes_.forget(id);", (("broadphase", "Predictor.*:*Exceptions*"),))
+        "shapes_.forget(id);", (("times", "Times.OfANewGeomAreNotThoseOfTheOneBefore"),))
     yield Fault(
         "tightened_too_far", "predict", BROADPHASE + "objects/place.h",
         "max(Float4::all(radius) - half - margin, Float4::all(0))", "Float4::all(radius) - Float4::all(0.9f) * half - margin",
@@ -199,7 +199,7 @@ def predict_faults():
     yield Fault(
         "watched_by_the_centre_beside_others", "predict", tick,
         "place.watches_centre())", "place.watches_centre() && id % 2 == 0)",
-        (("broadphase", "*AnyWorld*:*ReportOfAMove.*"),))
+        (("broadphase", "*AnyWorld*"),))
     yield Fault(
         "turning_point_left_out", "predict", SOURCES + "prediction/envelope.cpp",
         "if (turn > 0 && turn < duration)", "if (turn > duration)", (("prediction", "Envelope.*"),))
@@ -212,7 +212,7 @@ def index_faults():
     tree = BROADPHASE + "index/envelope_tree.cpp"
     index = BROADPHASE + "index/envelope_index.cpp"
     trees = (("broadphase", "*AnyTree*:EnvelopeTree.*"),)
-    indices = (("broadphase", "*AnyIndex*:EnvelopeIndex.*:*AnyWorld*"),)
+    indices = (("broadphase", "*AnyWorld*:Tick.*"),)
     yield Fault(
         "stale_ancestors", "index", tree,
         "        index = place / width;\n        node_of(place).boxes.set(place % width, box);",
@@ -257,7 +257,7 @@ def index_faults():
     yield Fault(
         "rounded_to_the_wrong_side", "index", BROADPHASE + "base/float_box.h",
         "Float4::rounded_down(box.max().data(), 1, -1)", "-Float4::rounded_down(box.max().data(), 1, 1)",
-        (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "FloatBox.*")))
+        (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "FloatBox.*:Rounding.*")))
     yield Fault(
         "touching_boxes_apart", "index", BROADPHASE + "base/four_boxes.h",
         "(low_[axis] <= boxes.highs(axis))", "(low_[axis] < boxes.highs(axis))",
@@ -563,7 +563,7 @@ def sweep_faults():
     yield Fault(
         "idle_objects_swept", "sweep", BROADPHASE + "index/envelope_index.cpp",
         "if (!idle.contains(id))\n            boxes_.push_back({id, proxies.places[id].envelope()});\n    });",
-        "boxes_.push_back({id, proxies.places[id].envelope()});\n    });", (("broadphase", "*Idle*:*AnyIndex*"),))
+        "boxes_.push_back({id, proxies.places[id].envelope()});\n    });", (("broadphase", "*Idle*"),))
 
 
 def space_faults():
@@ -702,11 +702,11 @@ def space_faults():
         faults("*EverySituation*"))
     yield Fault(
         "broken_off_unnoticed", "space", BROADPHASE + "broadphase.cpp", "interrupted_ = true;\n    counters_.moved", "counters_.moved",
-        (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
+        (("faults", "*EveryCall*:*EverySituation*"),))
     yield Fault(
         "envelopes_survive_starting_over", "space", BROADPHASE + "broadphase.cpp",
         "proxies_.places[id].forget_envelope();\n        list(id);", "list(id);",
-        (("broadphase", "*Exceptions*"), ("faults", "*EveryCall*:*EverySituation*")))
+        (("faults", "*EveryCall*:*EverySituation*"),))
     yield Fault(
         "lost_resize", "space", space, "set->resize(size);", "(void)set;", contract("Contract.02_*"))
     # The sphere test of proximity.

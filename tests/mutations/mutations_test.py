@@ -1,6 +1,5 @@
 """The table of faults fits the sources."""
 
-import collections
 import unittest
 
 import faults as table
@@ -13,12 +12,6 @@ class TableTest(unittest.TestCase):
             with self.subTest(fault.name):
                 text = (run_mutations.TOP / fault.file).read_text()
                 self.assertNotEqual(run_mutations.planted(text, fault), text)
-
-    def test_there_are_enough_for_each_stage(self):
-        self.assertGreaterEqual(len(table.FAULTS), 40)
-        stages = collections.Counter(fault.stage for fault in table.FAULTS)
-        self.assertEqual(set(stages), set(table.STAGES))
-        self.assertGreaterEqual(min(stages.values()), 4)
 
     def test_names_are_unique(self):
         names = [fault.name for fault in table.FAULTS]

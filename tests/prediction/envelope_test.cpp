@@ -12,33 +12,7 @@ namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-const Envelope example = {
-    {Vector3(0, 0, 10), Vector3(1, 0, 4), Vector3(0, 0, -2)}, {0.5, 0.25, 0}, Vector3(-1, -2, -3), Vector3(3, 2, 1), 4};
 } // namespace
-
-TEST(Envelope, moves_and_grows)
-{
-    EXPECT_EQ(example.at(0).min(), Vector3(-1.5, -2.5, 6.5));
-    EXPECT_EQ(example.at(0).max(), Vector3(3.5, 2.5, 11.5));
-    EXPECT_EQ(example.at(2).min(), Vector3(0, -3, 10));
-    EXPECT_EQ(example.at(2).max(), Vector3(6, 3, 16));
-}
-
-TEST(Envelope, advanced_is_the_same_envelope)
-{
-    const Envelope later = example.advanced(3);
-    for (const double t : {0.0, 1.0, 2.0})
-        EXPECT_TRUE(later.at(t).isApprox(example.at(3 + t), 1e-15));
-    EXPECT_EQ(later.radius, example.radius);
-}
-
-TEST(Envelope, swept_holds_the_turning_point)
-{
-    // z climbs from 10 to 14 at t = 2 and is back at 10 at t = 4.
-    const Box swept = example.swept(4);
-    EXPECT_TRUE(swept.min().isApprox(Vector3(-2.5, -3.5, 5.5), 1e-12));
-    EXPECT_TRUE(swept.max().isApprox(Vector3(8.5, 3.5, 16.5), 1e-12));
-}
 
 TEST(Envelope, swept_holds_the_envelope_at_every_time)
 {
@@ -77,11 +51,6 @@ TEST(Envelope, swept_is_tight_on_every_side)
         EXPECT_LE((visited.min() - swept.min()).maxCoeff(), step);
         EXPECT_LE((swept.max() - visited.max()).maxCoeff(), step);
     }
-}
-
-TEST(Envelope, swept_of_no_time_is_the_box_itself)
-{
-    EXPECT_TRUE(example.swept(0).isApprox(example.at(0), 1e-12));
 }
 
 TEST(Envelope, infinite_sides_stay_infinite)

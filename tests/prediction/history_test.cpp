@@ -68,12 +68,3 @@ TEST(History, forgets_what_is_not_recent)
     EXPECT_EQ(history.count(), 1);
     expect_same(history.fit().path, {Vector3(7, 0, 0), Vector3::Zero(), Vector3::Zero()});
 }
-
-TEST(History, ticks_may_wrap_around)
-{
-    const std::uint32_t before_the_end = 0xfffffffd;
-    History history = remembered(before_the_end, 6, before_the_end);
-    expect_same(history.fit().path, known.advanced(5));
-    history.keep_recent(2, 3);
-    EXPECT_EQ(history.count(), 4);
-}

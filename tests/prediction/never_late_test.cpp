@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -17,45 +16,6 @@ namespace
 {
 constexpr int pairs_of_a_kind = of_cases(75000);
 static_assert(pairs_of_a_kind * pair_kinds >= of_cases(1000000), "a million pairs for each measure");
-
-// The time from the prediction to the true contact, in horizons.
-class Earliness
-{
-public:
-    static void print_heading(const char *measure)
-    {
-        std::printf("How early, in horizons, by %s:\n%-26s %7s %7s %8s %9s %9s %9s\n", measure, "pairs", "meet",
-                    "apart", "alarms", "mean", "p99", "worst");
-    }
-
-    void add(std::optional<double> predicted, std::optional<Real> contact, double duration)
-    {
-        if (contact)
-            early_.push_back(static_cast<double>(*contact - *predicted / duration));
-        else
-            ++(predicted ? false_alarms_ : apart_);
-    }
-
-    double worst() const { return early_.empty() ? 0 : *std::max_element(early_.begin(), early_.end()); }
-    std::size_t encounters() const { return early_.size(); }
-
-    void print(PairKind kind)
-    {
-        std::sort(early_.begin(), early_.end());
-        double sum = 0;
-        for (const double value : early_)
-            sum += value;
-        const double mean = early_.empty() ? 0 : sum / early_.size();
-        const double p99 = early_.empty() ? 0 : early_[early_.size() * 99 / 100];
-        std::printf("%-26s %7zu %7d %8d %9.2g %9.2g %9.2g\n", name(kind), early_.size(), apart_, false_alarms_, mean,
-                    p99, worst());
-    }
-
-private:
-    std::vector<double> early_;
-    int apart_ = 0;
-    int false_alarms_ = 0;
-};
 
 // The distance by which the chord makes predictions early: a correct one need not be earlier.
 double sphere_slack(const EnvelopePair &pair)
@@ -119,61 +79,39 @@ template <typename Property> void for_all_kinds(std::uint64_t seed, int count, P
     }
 }
 
+void expect_never_late(std::uint64_t seed, TimeOfProximity &predict,
+                       std::optional<Real> first_contact(const Envelope &, const Envelope &, double),
+                       void expect_not_early(const EnvelopePair &, std::optional<double>))
+{
+    std::size_t encounters = 0;
+    for_all_kinds(seed, pairs_of_a_kind, [&](const EnvelopePair &pair, RandomPairs &) {
+        const auto predicted = predict(pair.first, pair.second, pair.duration);
+        const auto contact = first_contact(pair.first, pair.second, pair.duration);
+        EXPECT_TRUE(!contact || (predicted && *predicted <= *contact * pair.duration));
+        expect_not_early(pair, predicted);
+        encounters += contact.has_value();
+    });
+    EXPECT_GT(encounters, static_cast<std::size_t>(of_cases(200000)));
+}
 } // namespace
 
 TEST(NeverLate, time_of_proximity_of_spheres)
 {
-    Earliness::print_heading("spheres");
-    std::size_t encounters = 0;
-    for (int k = 0; k < pair_kinds; ++k)
-    {
-        const PairKind kind = static_cast<PairKind>(k);
-        Earliness earliness;
-        RandomPairs random(1000 + k);
-        for (int i = 0; i < pairs_of_a_kind; ++i)
-        {
-            const EnvelopePair pair = random.make(kind);
-            const auto predicted = sphere_time_of_proximity(pair.first, pair.second, pair.duration);
-            const auto contact = first_sphere_contact(pair.first, pair.second, pair.duration);
-            const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
-            ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";
-            if (predicted)
-                expect_not_needlessly_early_by_spheres(pair, *predicted);
-            ASSERT_FALSE(HasFailure()) << name(kind) << ", pair " << i;
-            earliness.add(predicted, contact, pair.duration);
-        }
-        earliness.print(kind);
-        encounters += earliness.encounters();
-    }
-    EXPECT_GT(encounters, static_cast<std::size_t>(of_cases(200000)));
+    expect_never_late(1000, sphere_time_of_proximity, first_sphere_contact,
+                      [](const EnvelopePair &pair, std::optional<double> predicted) {
+                          if (predicted)
+                              expect_not_needlessly_early_by_spheres(pair, *predicted);
+                      });
 }
 
 TEST(NeverLate, time_of_proximity_of_boxes)
 {
-    Earliness::print_heading("boxes");
-    std::size_t encounters = 0;
-    for (int k = 0; k < pair_kinds; ++k)
-    {
-        const PairKind kind = static_cast<PairKind>(k);
-        Earliness earliness;
-        RandomPairs random(2000 + k);
-        for (int i = 0; i < pairs_of_a_kind; ++i)
-        {
-            const EnvelopePair pair = random.make(kind);
-            const std::optional<double> predicted = box_time_of_proximity(pair.first, pair.second, pair.duration);
-            const auto contact = first_box_contact(pair.first, pair.second, pair.duration);
-            const bool in_time = !contact || (predicted && *predicted <= *contact * pair.duration);
-            ASSERT_TRUE(in_time) << name(kind) << ", pair " << i << ": contact at " << *contact << " of the horizon";
-            if (predicted)
-                expect_not_needlessly_early_by_boxes(pair, *predicted);
-            expect_computed_boxes_apart(pair, 0, predicted);
-            ASSERT_FALSE(HasFailure()) << name(kind) << ", pair " << i;
-            earliness.add(predicted, contact, pair.duration);
-        }
-        earliness.print(kind);
-        encounters += earliness.encounters();
-    }
-    EXPECT_GT(encounters, static_cast<std::size_t>(of_cases(200000)));
+    expect_never_late(2000, box_time_of_proximity, first_box_contact,
+                      [](const EnvelopePair &pair, std::optional<double> predicted) {
+                          expect_computed_boxes_apart(pair, 0, predicted);
+                          if (predicted)
+                              expect_not_needlessly_early_by_boxes(pair, *predicted);
+                      });
 }
 
 TEST(NeverLate, time_in_halves)

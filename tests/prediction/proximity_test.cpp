@@ -7,9 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/prediction/first_contact.h"
-#include "tests/prediction/random_pairs.h"
-
 using namespace ode_predictive_space;
 
 namespace
@@ -27,24 +24,6 @@ Path resting_at(const Vector3 &position)
     return {position, Vector3::Zero(), Vector3::Zero()};
 }
 
-// The error e of the paper's equation 4: the distance of a path from the line through its ends.
-double perpendicular_chord_error(const Path &path, double duration)
-{
-    const Vector3 chord = path.at(duration) - path.position;
-    return 0.125 * duration * duration * path.acceleration.cross(chord.normalized()).norm();
-}
-
-std::optional<double> time_of_proximity_by_equation_4(const Envelope &first, const Envelope &second, double duration)
-{
-    const double error =
-        perpendicular_chord_error(first.path, duration) + perpendicular_chord_error(second.path, duration);
-    const ProximityPolynomial P = proximity_polynomial(first, second, duration, error);
-    const std::optional<double> m = first_root(P.A, P.B, P.C);
-    if (!m || *m > 1)
-        return std::nullopt;
-    return *m * duration;
-}
-
 // All members that can be NaN.
 std::vector<double *> numbers_of(Envelope &envelope)
 {
@@ -56,14 +35,6 @@ std::vector<double *> numbers_of(Envelope &envelope)
     return numbers;
 }
 } // namespace
-
-TEST(FirstRoot, near_already)
-{
-    EXPECT_EQ(first_root(1, -5, 0), 0.0);
-    EXPECT_EQ(first_root(1, 5, -1), 0.0);
-    EXPECT_EQ(first_root(0, 0, 0), 0.0);
-    EXPECT_EQ(first_root(-1, 0, -1), 0.0);
-}
 
 TEST(FirstRoot, every_sign_of_the_coefficients)
 {
@@ -84,20 +55,6 @@ TEST(FirstRoot, every_sign_of_the_coefficients)
             }
 }
 
-TEST(FirstRoot, straight_line)
-{
-    EXPECT_DOUBLE_EQ(*first_root(0, -2, 3), 0.75);
-    EXPECT_FALSE(first_root(0, 2, 3));
-    EXPECT_FALSE(first_root(0, 0, 3));
-}
-
-TEST(FirstRoot, double_root)
-{
-    EXPECT_DOUBLE_EQ(*first_root(1, -1, 1), 1.0);
-    EXPECT_FALSE(first_root(1, -1, 1.0000001));
-    EXPECT_FALSE(first_root(1, 1, 1));
-}
-
 TEST(FirstRoot, does_not_cancel)
 {
     // The textbook's form would subtract numbers that differ only in their last digits.
@@ -115,51 +72,6 @@ TEST(FirstRoot, nothing_is_apart_that_is_not_a_number)
     EXPECT_EQ(first_root(1, 1, not_a_number), 0.0);
     EXPECT_EQ(first_root(-unbounded, 1, unbounded), 0.0);
     EXPECT_EQ(first_root(1e300, -1e300, 1e300), 0.0) << "the discriminant overflows";
-}
-
-TEST(TimeOfProximity, head_on)
-{
-    // Two unit balls, 10 apart, each at 1 per tick: they touch after 4 ticks.
-    const Envelope left = ball({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3::Zero()}, 1);
-    const Envelope right = ball({Vector3(10, 0, 0), Vector3(-1, 0, 0), Vector3::Zero()}, 1);
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 8), 4, 1e-12);
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 8), 4, 1e-12);
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 4), 4, 1e-12) << "touching at the very end counts";
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 4), 4, 1e-12);
-    EXPECT_FALSE(sphere_time_of_proximity(left, right, 3.999));
-    EXPECT_FALSE(box_time_of_proximity(left, right, 3.999));
-}
-
-TEST(TimeOfProximity, deviations_count)
-{
-    const Envelope left = ball({Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3::Zero()}, 1, {0.5, 0.25, 0});
-    const Envelope right = ball({Vector3(10, 0, 0), Vector3(-1, 0, 0), Vector3::Zero()}, 1, {0.5, 0.25, 0});
-    // 10 - 2 t = 2 + 1 + t / 2
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 8), 2.8, 1e-12);
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 8), 2.8, 1e-12);
-}
-
-TEST(TimeOfProximity, box_is_the_latest_of_the_three_entries)
-{
-    const Envelope still = ball(resting_at(Vector3::Zero()), 1);
-    // The box enters the slabs of x, y, z at 2, 5 and 3, and leaves that of x at 6.
-    const Envelope moving = ball({Vector3(4, 7, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
-    EXPECT_NEAR(box_time_of_proximity(still, moving, 10).value_or(-1), 5, 1e-12);
-    const Envelope passing = ball({Vector3(4, 7.9, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
-    EXPECT_NEAR(box_time_of_proximity(still, passing, 10).value_or(-1), 5.9, 1e-12);
-    const Envelope missing = ball({Vector3(4, 8.1, 5), Vector3(-1, -1, -1), Vector3::Zero()}, 1);
-    EXPECT_FALSE(box_time_of_proximity(still, missing, 20)) << "x is left before y is entered";
-}
-
-TEST(TimeOfProximity, no_duration)
-{
-    const Envelope first = ball({Vector3::Zero(), Vector3(5, 0, 0), Vector3(0, 9, 0)}, 1, {0.1, 2, 3});
-    const Envelope touching = ball(resting_at(Vector3(2.2, 0, 0)), 1, {0.1, 2, 3});
-    const Envelope apart = ball(resting_at(Vector3(2.21, 0, 0)), 1, {0.1, 2, 3});
-    EXPECT_EQ(sphere_time_of_proximity(first, touching, 0), 0.0);
-    EXPECT_EQ(box_time_of_proximity(first, touching, 0), 0.0);
-    EXPECT_FALSE(sphere_time_of_proximity(first, apart, 0));
-    EXPECT_FALSE(box_time_of_proximity(first, apart, 0));
 }
 
 TEST(TimeOfProximity, infinite_bounds)
@@ -237,59 +149,4 @@ TEST(TimeOfProximity, infinite_and_huge_positions_are_not_apart_by_mistake)
     const Envelope far = ball({Vector3(1e12, 0, 0), Vector3(1e6, 0, 0), Vector3::Zero()}, 1);
     EXPECT_FALSE(box_time_of_proximity(first, far, 10));
     EXPECT_FALSE(sphere_time_of_proximity(first, far, 10));
-}
-
-TEST(ChordError, braking_and_turning_back_is_missed_by_equation_4)
-{
-    // s(t) = t - t^2 / 100 reaches 25 at t = 50 and is back at 16 after 80 ticks. The motion is along one line, so equation 4
-    // finds no error, and the chord ends at 16, before the ball that is hit at s = 20.
-    const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
-    const Envelope still = ball(resting_at(Vector3(22, 0, 0)), 1);
-    const double duration = 80;
-    const double contact = duration * static_cast<double>(*first_sphere_contact(braking, still, duration));
-    EXPECT_NEAR(contact, (1 - std::sqrt(0.2)) / 0.02, 1e-9);
-
-    EXPECT_EQ(perpendicular_chord_error(braking.path, duration), 0);
-    EXPECT_FALSE(time_of_proximity_by_equation_4(braking, still, duration));
-
-    const std::optional<double> ours = sphere_time_of_proximity(braking, still, duration);
-    ASSERT_TRUE(ours);
-    EXPECT_LE(*ours, contact);
-    ASSERT_TRUE(box_time_of_proximity(braking, still, duration));
-    EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
-}
-
-TEST(ChordError, braking_is_late_by_equation_4)
-{
-    // The other ball is met on the chord as well, but later than on the path.
-    const Envelope braking = ball({Vector3::Zero(), Vector3(1, 0, 0), Vector3(-0.02, 0, 0)}, 1);
-    const Envelope still = ball(resting_at(Vector3(17, 0, 0)), 1);
-    const double duration = 50;
-    const double contact = duration * static_cast<double>(*first_sphere_contact(braking, still, duration));
-    EXPECT_GT(*time_of_proximity_by_equation_4(braking, still, duration), contact + 5);
-    EXPECT_LE(*sphere_time_of_proximity(braking, still, duration), contact);
-    EXPECT_LE(*box_time_of_proximity(braking, still, duration), contact);
-}
-
-TEST(ChordError, same_gravity_owes_nothing)
-{
-    const Vector3 gravity(0, 0, -0.01);
-    const Envelope left = ball({Vector3(0, 0, 100), Vector3(1, 0, 0), gravity}, 1);
-    const Envelope right = ball({Vector3(10, 0, 100), Vector3(-1, 0, 0), gravity}, 1);
-    EXPECT_EQ(sphere_chord_error(left, right, 100), 0);
-    EXPECT_GT(chord_error(gravity, 100), 12);
-    EXPECT_NEAR(*sphere_time_of_proximity(left, right, 100), 4, 1e-9);
-    EXPECT_NEAR(*box_time_of_proximity(left, right, 100), 4, 1e-9);
-}
-
-TEST(ChordError, of_the_relative_path_is_at_most_the_sum)
-{
-    RandomPairs random(21);
-    for (int i = 0; i < 100 * pair_kinds; ++i)
-    {
-        const EnvelopePair pair = random.make(static_cast<PairKind>(i % pair_kinds));
-        const double sum = chord_error(pair.first.path.acceleration, pair.duration) +
-                           chord_error(pair.second.path.acceleration, pair.duration);
-        EXPECT_LE(sphere_chord_error(pair.first, pair.second, pair.duration), sum * (1 + 1e-14));
-    }
 }

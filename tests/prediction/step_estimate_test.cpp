@@ -17,18 +17,6 @@ void add_steps(StepEstimate &estimate, double step, int count)
 }
 } // namespace
 
-TEST(StepEstimate, is_an_ordinary_step_at_first)
-{
-    EXPECT_EQ(StepEstimate().step(), 0.01);
-}
-
-TEST(StepEstimate, one_displacement_is_enough)
-{
-    StepEstimate estimate;
-    estimate.add(0.004 * velocity, velocity, velocity, 4);
-    EXPECT_DOUBLE_EQ(estimate.step(), 0.001);
-}
-
 TEST(StepEstimate, mean_velocity_counts_when_it_changes)
 {
     StepEstimate estimate;

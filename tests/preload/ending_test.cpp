@@ -230,12 +230,6 @@ TEST(LauncherThatWaits, StillIgnoresAfterwardsWhatItsParentIgnored)
     EXPECT_EQ(count_of("report: ", outcome.output), 1) << outcome.output;
 }
 
-TEST(Statistics, NameTheMeasureThatAProgramChose)
-{
-    const Outcome outcome = launch("--stats " MEASURING);
-    EXPECT_TRUE(contains(outcome.output, "hash, predictive by spheres; at most 2 geoms, 0 pairs")) << outcome.output;
-}
-
 // Once, the plugin's check of ODE loaded the preload, which made the plugin check ODE, and the program ended.
 TEST(Statistics, CountASpaceThatTheProgramItselfMakesPredictive)
 {

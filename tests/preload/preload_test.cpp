@@ -68,11 +68,6 @@ TEST(Preload, CountsCollides)
     EXPECT_EQ(count_of("\n    ticks 30, ", said), 3) << said;
 }
 
-TEST(Preload, ReachesLibrariesLoadedLocally)
-{
-    EXPECT_EQ(count_of("predictive by", statistics_of("", LOCAL, EXTENSION)), 15);
-}
-
 TEST(Preload, IsInheritedByChildProcesses)
 {
     const ScratchFile statistics;
@@ -245,13 +240,6 @@ TEST(Preload, OdeRefusesWhatItRefusesWithout)
 {
     for (const char *options : {"", "--stats=/dev/null"})
         EXPECT_EQ(launch(options + std::string(" timeout 20 " REFUSED)).output, run(REFUSED, "").output) << options;
-}
-
-TEST(Preload, IsNotNoticedWithoutOde)
-{
-    const Outcome outcome = launch("--stats sh -c 'echo hello; exit 5'");
-    EXPECT_EQ(outcome.output, "hello\n");
-    EXPECT_EQ(outcome.status, 5);
 }
 
 // A library that is loaded into every process must not load others.

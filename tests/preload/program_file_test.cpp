@@ -9,19 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include <ode/ode.h>
-
 namespace ode_predictive_space::preload
 {
 namespace
 {
-// This program calls ODE's function but does not define it.
-TEST(ProgramFile, ACallOfOdeIsNoDefinition)
-{
-    EXPECT_NE(&dSpaceCollide, nullptr);
-    EXPECT_FALSE(has_ode_built_in("/proc/self/exe"));
-}
-
 TEST(ProgramFile, OtherFilesHaveNoOde)
 {
     EXPECT_FALSE(has_ode_built_in("/nonexistent"));

@@ -43,28 +43,6 @@ TEST(Settings, DefaultsAreTakenForWhatIsUnsetOrEmpty)
     }
 }
 
-TEST(Settings, SpacesAreNamedInAList)
-{
-    auto replaced = [](const char *list) { return read({{"ODE_PREDICTIVE_SPACE", list}}).replaced; };
-    EXPECT_EQ(replaced("none"), std::set<int>());
-    EXPECT_EQ(replaced("all").size(), 4u);
-    EXPECT_EQ(replaced("sap"), std::set<int>{dSweepAndPruneSpaceClass});
-    EXPECT_EQ(replaced("simple,quadtree"), (std::set<int>{dSimpleSpaceClass, dQuadTreeSpaceClass}));
-}
-
-TEST(Settings, OneUnknownSpaceMakesTheWholeListTheDefault)
-{
-    EXPECT_EQ(read({{"ODE_PREDICTIVE_SPACE", "simple,octree"}}, 1).replaced, by_default);
-}
-
-TEST(Settings, StatisticsGoToStandardErrorOrAFile)
-{
-    EXPECT_FALSE(read({{"ODE_PREDICTIVE_STATS", "0"}}).watches());
-    EXPECT_TRUE(read({{"ODE_PREDICTIVE_STATS", "1"}}).stats);
-    EXPECT_EQ(read({{"ODE_PREDICTIVE_STATS", "1"}}).stats_file, "");
-    EXPECT_EQ(read({{"ODE_PREDICTIVE_STATS", "some/file"}}).stats_file, "some/file");
-}
-
 TEST(Settings, TheOthers)
 {
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "sphere"}}).proximity, dPredictiveProximitySphere);

@@ -9,20 +9,6 @@ namespace
 {
 constexpr std::size_t most = BoundedSeries::most_columns;
 
-TEST(BoundedSeries, HasAColumnForEachValueAtFirst)
-{
-    BoundedSeries series{};
-    EXPECT_EQ(series.columns(), 0u);
-    for (std::size_t i = 0; i < most; ++i)
-    {
-        series.add(static_cast<double>(i));
-    }
-    ASSERT_EQ(series.columns(), most);
-    EXPECT_EQ(series.values_per_column(), 1u);
-    EXPECT_EQ(series.mean(most - 1), most - 1);
-    EXPECT_EQ(series.largest(3), 3);
-}
-
 TEST(BoundedSeries, MergesNeighboursWhenItIsFull)
 {
     BoundedSeries series{};
@@ -36,13 +22,6 @@ TEST(BoundedSeries, MergesNeighboursWhenItIsFull)
     EXPECT_EQ(series.largest(0), 3);
     EXPECT_EQ(series.mean(most / 2 - 1), 2 * most - 2.5);
     EXPECT_EQ(series.mean(most / 2), 2 * most) << "the last column has one value";
-}
-
-TEST(BoundedSeries, NegativeValuesHaveALargestOne)
-{
-    BoundedSeries series{};
-    series.add(-3);
-    EXPECT_EQ(series.largest(0), -3);
 }
 
 TEST(BoundedSeries, StaysWithinItsColumnsWhateverTheMemoryHolds)

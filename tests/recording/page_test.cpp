@@ -3,14 +3,8 @@
 #include "ode_predictive_space/recording/curves.h"
 
 #include <algorithm>
-#include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <sstream>
-#include <sys/resource.h>
-#include <unistd.h>
 
 namespace ode_predictive_space::recording
 {
@@ -26,29 +20,6 @@ std::size_t count_of(const std::string &part, const std::string &text)
     return count;
 }
 
-/// During its lifetime, this process writes no larger files.
-class SmallFiles
-{
-public:
-    explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
-    {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit small{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~SmallFiles()
-    {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    SmallFiles(const SmallFiles &) = delete;
-    SmallFiles &operator=(const SmallFiles &) = delete;
-
-private:
-    void (*handler_)(int);
-    rlimit before_;
-};
-
 TEST(Page, DrawsLinesAndDots)
 {
     const std::string text =
@@ -56,23 +27,6 @@ TEST(Page, DrawsLinesAndDots)
     EXPECT_EQ(count_of("<svg", text), 1u);
     EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,10.0 \"", text), 1u) << "from corner to corner: " << text;
     EXPECT_EQ(count_of("<circle cx=\"790.0\" cy=\"132.5\"", text), 1u) << text;
-}
-
-TEST(Page, HasRoomForTheLabelAtTheEndOfAnAxis)
-{
-    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 0}, {20000, 2}}}}}}});
-    EXPECT_EQ(count_of("<text x=\"790\" y=\"272\" text-anchor=\"middle\">20000</text>", text), 1u) << text;
-    const std::size_t box = text.find("viewBox=\"0 0 ");
-    ASSERT_NE(box, std::string::npos);
-    constexpr double half_of_the_label = 5 * 7.0 / 2; // five digits of 12 pixels' height
-    EXPECT_GE(std::stod(text.substr(box + 13)), 790 + half_of_the_label);
-}
-
-TEST(Page, ALogarithmicAxisHasWholeDecades)
-{
-    const std::string text = html({"t", "", {{"plot", "x", "y", {{"a", {{0, 1}, {1, 50}}}}, true}}});
-    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,46.9 \"", text), 1u) << text;
-    EXPECT_EQ(count_of(">100</text>", text), 1u);
 }
 
 TEST(Page, LeavesOutWhatHasNoPoints)

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 #include <map>
-#include <stdexcept>
 
 namespace ode_predictive_space::worlds
 {
@@ -234,14 +233,6 @@ TEST_P(Limits, HaveThePairsOfASimpleSpaceWithOneObject)
     const WorldRuns runs = make_runs(spaces_for(GetParam()), factory);
     run_by_turns(runs, 50);
     EXPECT_EQ(first_difference(runs), -1);
-}
-
-TEST(World, UnknownNamesAndNoObjectsAreRefused)
-{
-    const OdeSession ode;
-    EXPECT_THROW(WorldFactory({"soup", 5, 1}), std::invalid_argument);
-    EXPECT_THROW(WorldFactory({"floor", 0, 1}), std::invalid_argument);
-    EXPECT_THROW(space_named("octree"), std::invalid_argument);
 }
 } // namespace
 } // namespace ode_predictive_space::worlds

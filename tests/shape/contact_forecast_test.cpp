@@ -37,23 +37,6 @@ Envelope going(const ConvexShape &shape, const Vector3 &velocity)
     return envelope;
 }
 
-TEST(ContactForecast, OfBallsIsExact)
-{
-    const ConvexShape left = ball({0, 0, 0}), right = ball({12, 0, 0});
-    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
-    PredictedShape comes{right, going(right, {-0.5, 0, 0}), false, true};
-    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 20, 1e-6);
-    EXPECT_NEAR(time_of_contact(comes, still, 0, for_long).value(), 20, 1e-6);
-    EXPECT_NEAR(time_of_contact(still, comes, 2, for_long).value(), 16, 1e-6) << "the margin is reached earlier";
-    EXPECT_FALSE(time_of_contact(still, comes, 0, 19)) << "they stay apart for so long";
-    comes.envelope.path.velocity.setZero();
-    comes.envelope.path.acceleration = {-0.05, 0, 0};
-    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 20, 1e-6);
-    comes.envelope.path.velocity = {-0.9, 0, 0};
-    comes.envelope.path.acceleration = {0.05, 0, 0};
-    EXPECT_FALSE(time_of_contact(still, comes, 0, for_long)) << "it turns back before";
-}
-
 // Once, the deviation was taken along an axis of the scene. Two objects then touched at the next tick, although the forecast
 // kept them apart.
 TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
@@ -64,18 +47,6 @@ TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
     PredictedShape comes{right, going(right, Vector3::Constant(-0.5 / root)), false, true};
     comes.envelope.deviation = {1 / root, 0.3 / root, 0};
     EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
-}
-
-TEST(ContactForecast, WhatTouchesIsNowAndWhatIsApartNotBeforeTheNextTick)
-{
-    const ConvexShape left = ball({0, 0, 0}), touching = ball({1.9, 0, 0}), close = ball({2.1, 0, 0});
-    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
-    EXPECT_EQ(time_of_contact(still, {touching, going(touching, Vector3::Zero()), false, true}, 0, for_long), 0);
-    EXPECT_EQ(time_of_contact(still, {close, going(close, {-5, 0, 0}), false, true}, 0, for_long), 1);
-    ConvexShape unknown = close;
-    unknown.partners = 0;
-    EXPECT_EQ(time_of_contact(still, {unknown, going(unknown, {1, 0, 0}), false, true}, 0, for_long), 0)
-        << "judged by its box";
 }
 
 TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)

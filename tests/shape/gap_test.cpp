@@ -87,35 +87,5 @@ TEST(Gap, IsSeldomFarLessThanTheDistance)
     });
 }
 
-TEST(Gap, IsFoundIfItIsLargerThanTheLeast)
-{
-    unsigned seed = 200;
-    for_each_pair_of_classes([&](SolidKind one, SolidKind other) {
-        ShapeMaker maker(seed++);
-        int larger = 0, found = 0;
-        for (int i = 0; i < 3000; ++i)
-        {
-            const NearShapes shapes(maker, one, other);
-            const double gap = find_gap(shapes.first, shapes.second, Vector3::Zero(), 0).length;
-            const double least = maker.between(0, 0.5);
-            if (gap <= least)
-                continue;
-            ++larger;
-            found += find_gap(shapes.first, shapes.second, Vector3::Zero(), least).length > least;
-        }
-        EXPECT_EQ(found, larger) << "classes " << static_cast<int>(one) << " " << static_cast<int>(other);
-    });
-}
-
-TEST(Gap, IsNoneForShapesThatAreNotJudgedTogether)
-{
-    ShapeMaker maker(1);
-    ConvexShape one = maker.shape(SolidKind::sphere), other = moved(one, Eigen::Matrix3d::Identity(), Vector3(9, 0, 0));
-    EXPECT_GT(find_gap(one, other, Vector3::Zero(), 0).length, 7);
-    other.group = 2;
-    EXPECT_LT(find_gap(one, other, Vector3::Zero(), 0).length, 0);
-    EXPECT_LT(find_gap(ConvexShape{}, one, Vector3::Zero(), 0).length, 0);
-}
-
 } // namespace
 } // namespace ode_predictive_space

@@ -51,41 +51,6 @@ protected:
     const dGeomID geom_ = dCreateTriMesh(nullptr, mesh_.id(), nullptr, nullptr, nullptr);
 };
 
-TEST_F(SlicedHull, IsAwaitedByAShapeThatIsUnknown)
-{
-    EXPECT_TRUE(std::isinf(moved(geom_, slice)));
-    EXPECT_TRUE(shape_.awaits_hull);
-    EXPECT_FALSE(shape_.known());
-    std::size_t slices = 1;
-    while (!has_hull(geom_, slice))
-        ASSERT_LT(++slices, 1000u);
-    EXPECT_GT(slices * slice, 12 * triangles) << "each is read, and is sorted into a tree of at least nine levels";
-    EXPECT_LT(slices * slice, 60 * triangles);
-    EXPECT_TRUE(std::isinf(moved(geom_, 0)));
-    EXPECT_FALSE(shape_.awaits_hull);
-    EXPECT_TRUE(shape_.known());
-    EXPECT_TRUE(shape_.surface()->is_ready());
-    EXPECT_EQ(moved(geom_, 0), 0);
-}
-
-TEST_F(SlicedHull, IsTheBoxOfItsPointsWhenASliceIsTooSmallForThem)
-{
-    const Vector3 outwards(1, 1, 0);
-    moved(geom_);
-    const double reach = shape_.reach(outwards), sliver_factor = shape_.sliver_factor, slack = shape_.slack_beside_own;
-    const Vector3 half_sides = shape_.half_sides, centre = shape_.centre;
-    shape_ = {};
-    hulls_.release_all();
-    while (!has_hull(geom_, slice))
-    {}
-    moved(geom_, 0);
-    EXPECT_GT(shape_.reach(outwards), reach) << "no triangle has this corner of the box";
-    EXPECT_EQ(shape_.half_sides, half_sides);
-    EXPECT_EQ(shape_.centre, centre);
-    EXPECT_EQ(shape_.sliver_factor, sliver_factor);
-    EXPECT_EQ(shape_.slack_beside_own, slack);
-}
-
 TEST_F(SlicedHull, BeginsAgainWithOtherData)
 {
     for (int i = 0; i < 10; ++i)

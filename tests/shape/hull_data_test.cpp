@@ -91,15 +91,6 @@ TEST_F(HullData, IsThatOfTheMeshDataThatWereSetAtRest)
     EXPECT_EQ(collide(space).size(), 1u);
 }
 
-TEST_F(HullData, IsThatOfMeshDataThatWereBuiltAnewAtRest)
-{
-    MeshArrays arrays(octahedron);
-    create_mesh(arrays);
-    EXPECT_EQ(pairs_at_rest(), 0u);
-    arrays.rebuild(cube);
-    EXPECT_EQ(collide(space).size(), 1u);
-}
-
 TEST_F(HullData, IsThatOfOtherMeshDataAtTheSamePlace)
 {
     auto arrays = std::make_unique<MeshArrays>(octahedron);
@@ -188,18 +179,6 @@ TEST_F(HullData, ChangedInPlaceIsNoticedByTheSpacesAround)
             EXPECT_TRUE(!outer_predicts || dPredictiveSpaceValidate(outer) == 1);
             dSpaceDestroy(outer);
         }
-}
-
-TEST_F(HullData, ChangesAreReportedForGeomsOfTheSpace)
-{
-    const dGeomID other = dCreateSphere(nullptr, 1);
-    const auto complaint = [](dSpaceID space, dGeomID geom) {
-        return ode_complaint([&] { dPredictiveSpaceGeomChanged(space, geom); });
-    };
-    EXPECT_NE(complaint(space, nullptr).find("dPredictiveSpaceGeomChanged(): bad argument geom"), std::string::npos);
-    EXPECT_NE(complaint(space, other).find("dPredictiveSpaceGeomChanged(): bad argument geom"), std::string::npos);
-    EXPECT_NE(complaint(nullptr, ball).find("dPredictiveSpaceGeomChanged(): bad argument space"), std::string::npos);
-    dGeomDestroy(other);
 }
 
 TEST_F(HullData, OfAMeshThatIsNotFiniteIsNone)

@@ -170,39 +170,6 @@ TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
     dGeomTriMeshDataDestroy(data);
 }
 
-TEST_F(ShapeProximity, NeedsNoLookAtBallsThatTouch)
-{
-    ball(0, 0);
-    const dGeomID other = ball(REAL(1.9), 0);
-    for (int i = 0; i < 40; ++i)
-    {
-        dGeomSetPosition(other, REAL(1.9) + REAL(0.01) * (i % 2), 0, 0);
-        EXPECT_EQ(pairs(), 1u);
-    }
-    EXPECT_EQ(counters().gap_checks, 0u);
-    dGeomSetPosition(other, apart, apart, 0);
-    unsigned reported = 0;
-    for (int i = 0; i < 40; ++i)
-        reported += pairs();
-    EXPECT_LT(reported, 20u) << "it is looked at again";
-    EXPECT_GT(counters().gap_checks, 0u);
-}
-
-TEST_F(ShapeProximity, NeedsNoLookUntilThePairHasTravelledItsGap)
-{
-    // With this deviation the motion keeps to its prediction: a new prediction would make the pair new.
-    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
-        dPredictiveSpaceSetDeviation(space, role, REAL(0.1), 0, 0);
-    ball(0, 0);
-    const dGeomID other = ball(apart, apart);
-    for (int i = 0; i < 20; ++i)
-    {
-        dGeomSetPosition(other, apart - REAL(0.01) * (i % 2), apart, 0);
-        EXPECT_EQ(pairs(), 0u);
-    }
-    EXPECT_EQ(counters().gap_checks, 1u);
-}
-
 TEST_F(ShapeProximity, ReportsAPairThatComesWithinTheMarginAtThatTick)
 {
     // With this deviation the motion keeps to its prediction, and the pair stays the same.
@@ -355,26 +322,6 @@ TEST_F(ShapeProximity, ReportsPairsWithinAThousandthOfTheirSize)
     EXPECT_EQ(pairs(), 0u);
 }
 
-TEST_F(ShapeProximity, CanBeChangedAtAnyTime)
-{
-    ball(0, 0);
-    ball(apart, apart);
-    let_rest();
-    for (int i = 0; i < 3; ++i)
-    {
-        dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
-        EXPECT_EQ(pairs(), 1u);
-        let_rest();
-        EXPECT_EQ(pairs(), 1u);
-        EXPECT_EQ(counters().postponed, 0u);
-        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
-        EXPECT_EQ(pairs(), 0u);
-        let_rest();
-        EXPECT_EQ(pairs(), 0u);
-        EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximityShape);
-    }
-}
-
 TEST_F(ShapeProximity, GoesByBoxesForOtherGeoms)
 {
     ball(0, 0);
@@ -458,20 +405,6 @@ TEST_F(ShapeProximity, NoticesThatAGeomCreepsFarFromTheOrigin)
             dGeomDestroy(creeps);
         }
     EXPECT_GT(contacts, 0);
-}
-
-TEST_F(ShapeProximity, RefusesMarginsThatAreNoLengths)
-{
-    dPredictiveSpaceSetShapeMargin(space, REAL(0.5));
-    for (const dReal bad :
-         {REAL(-1.0), std::numeric_limits<dReal>::infinity(), std::numeric_limits<dReal>::quiet_NaN()})
-    {
-        const std::string complaint = ode_complaint([&] { dPredictiveSpaceSetShapeMargin(space, bad); });
-        EXPECT_NE(complaint.find("dPredictiveSpaceSetShapeMargin(): bad argument margin"), std::string::npos)
-            << complaint;
-        EXPECT_EQ(dPredictiveSpaceGetShapeMargin(space), REAL(0.5));
-    }
-    EXPECT_NE(ode_complaint([&] { dPredictiveSpaceSetProximity(space, 3); }), "");
 }
 
 } // namespace

@@ -134,16 +134,6 @@ TEST_F(SurfaceBuilding, CanBePreparedWithinSpaces)
     dSpaceDestroy(top);
 }
 
-// Queries, too, wait for slices only if there is a hand.
-TEST_F(SurfaceBuilding, IsDoneForTheFirstQuestionWhereNobodyWaits)
-{
-    dCreateTriMesh(space, mesh.id(), nullptr, nullptr, nullptr);
-    const dGeomID ball = dCreateSphere(nullptr, REAL(0.1));
-    dGeomSetPosition(ball, 0, 0, REAL(0.5));
-    EXPECT_EQ(collide2(as_geom(space), ball).size(), 0u);
-    dGeomDestroy(ball);
-}
-
 // The slices of a destroyed mesh must not be read.
 TEST_F(SurfaceBuilding, EndsWithTheGeomAndItsData)
 {

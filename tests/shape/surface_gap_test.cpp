@@ -118,40 +118,5 @@ TEST(SurfaceGap, IsNeverMoreThanTheDistance)
     EXPECT_GT(close, gaps * 9 / 10) << "of " << gaps;
 }
 
-// The ball is near the ground, often within its hull.
-TEST(SurfaceGap, OfASphereIsItsDistance)
-{
-    ShapeMaker maker(3);
-    for (int i = 0; i < 200; ++i)
-    {
-        const Ground surface(maker, 8);
-        const ConvexShape mesh = surface.shape();
-        ConvexShape sphere = maker.shape(SolidKind::sphere);
-        sphere.centre = surface.any_place(maker) + 3 * sphere.radius * maker.direction();
-        const double distance = distance_from_above(sphere, surface, Eigen::Matrix3d::Identity(), Vector3::Zero());
-        const double gap = surface_gap(mesh, sphere, 1e-6).length;
-        EXPECT_LE(gap, std::max(distance, 1e-6));
-        if (distance < 0.01)
-            continue;
-        const bool is_far = distance > sphere.radius; // then a smaller gap is enough
-        EXPECT_GE(gap, is_far ? 0.8 * (distance + sphere.radius) - sphere.radius - 1e-3
-                              : distance - 1e-4 * (distance + sphere.radius));
-    }
-}
-
-TEST(SurfaceGap, IsNoneWithoutASurfaceAndBeforeItsTreeIsReady)
-{
-    ShapeMaker maker(4);
-    const Ground surface(maker, 4);
-    ConvexShape mesh = surface.shape(), sphere = maker.shape(SolidKind::sphere);
-    sphere.centre = Vector3(0, 0, 50);
-    EXPECT_GT(surface_gap(mesh, sphere, 0).length, 0);
-    EXPECT_LT(surface_gap(sphere, maker.shape(SolidKind::box), 0).length, 0);
-    const ConvexShape plane = maker.shape(SolidKind::plane);
-    EXPECT_EQ(surface_of(mesh, plane), nullptr) << "beside a plane its hull decides";
-    mesh.partners = 0;
-    EXPECT_EQ(surface_of(mesh, sphere), nullptr) << "judged by box";
-}
-
 } // namespace
 } // namespace ode_predictive_space

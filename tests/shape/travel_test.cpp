@@ -118,19 +118,6 @@ TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
     }
 }
 
-TEST(Travel, OfAPlaneSaysNothing)
-{
-    ShapeMaker maker(1);
-    TwoShapes pair;
-    pair.now[0] = maker.shape(SolidKind::plane);
-    pair.now[0].axes[0] = Vector3::UnitZ();
-    pair.now[1] = moved(maker.shape(SolidKind::sphere), Eigen::Matrix3d::Identity(), Vector3(1000, 0, 2));
-    EXPECT_FALSE(pair.reported());
-    EXPECT_TRUE(pair.postponed());
-    pair.now[0].axes[0] = Vector3(-0.003, 0, 1).normalized();
-    EXPECT_TRUE(pair.reported());
-}
-
 TEST(Travel, ShapesOfPostponedPairsAreApart)
 {
     long postponed = 0, touching = 0, steps = 0;

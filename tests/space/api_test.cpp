@@ -48,15 +48,6 @@ TEST(Version, IsThatOfTheHeader)
     EXPECT_EQ(dPredictiveSpaceGetVersion(), ODE_PREDICTIVE_SPACE_VERSION);
 }
 
-TEST_F(PredictiveSpace, MeasuresByBoxesUnlessToldOtherwise)
-{
-    EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximityBox);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
-    EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximitySphere);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
-    EXPECT_EQ(dPredictiveSpaceGetProximity(space), dPredictiveProximityBox);
-}
-
 TEST_F(PredictiveSpace, SpheresWhoseBoxesOnlyOverlapAreNoPairByTheMeasureOfSpheres)
 {
     scene.sphere(1, 0, 0, 0);
@@ -134,21 +125,6 @@ TEST_F(PredictiveSpace, DeviationsAreFixedAndSetFree)
     }
 }
 
-TEST_F(PredictiveSpace, HorizonsAreKeptAsSet)
-{
-    int min_ticks = 0, max_ticks = 0;
-    dPredictiveSpaceGetHorizon(space, &min_ticks, &max_ticks);
-    EXPECT_GE(min_ticks, 1);
-    EXPECT_GE(max_ticks, min_ticks);
-    for (int horizon : {1, 7, 1000000})
-    {
-        dPredictiveSpaceSetHorizon(space, horizon == 7 ? 3 : horizon, horizon);
-        dPredictiveSpaceGetHorizon(space, &min_ticks, &max_ticks);
-        EXPECT_EQ(min_ticks, horizon == 7 ? 3 : horizon);
-        EXPECT_EQ(max_ticks, horizon);
-    }
-}
-
 TEST_F(PredictiveSpace, EverySettingReportsTheSamePairs)
 {
     std::vector<std::vector<Pairs>> logs;
@@ -186,38 +162,6 @@ TEST_F(PredictiveSpace, EverySettingReportsTheSamePairs)
         EXPECT_EQ(log, logs.front()) << "setting " << &log - logs.data();
 }
 
-TEST_F(PredictiveSpace, TheTimeOfProximityIsNeverLate)
-{
-    dGeomID first = scene.sphere(0.5, -3, 0, 0);
-    dGeomID second = scene.sphere(0.5, 3, 0.2, 0);
-    scene.body(first, 1, 0, 0);
-    scene.body(second, -1, 0, 0);
-    int predicted = 0;
-    dReal last = dInfinity;
-    for (int tick = 0; tick < 1000; ++tick)
-    {
-        run(1);
-        // Boxes meet when the centres are 1 apart along x; 0.02 per tick.
-        const dReal gap = dGeomGetPosition(second)[0] - dGeomGetPosition(first)[0] - 1;
-        dReal ticks = -1;
-        const int near = dPredictiveSpaceGetTimeOfProximity(space, first, second, &ticks);
-        const int swapped = dPredictiveSpaceGetTimeOfProximity(space, second, first, nullptr);
-        EXPECT_EQ(near, swapped);
-        if (gap <= 0)
-        {
-            EXPECT_EQ(near, 1);
-            EXPECT_EQ(ticks, 0);
-            break;
-        }
-        EXPECT_GE(ticks, 0);
-        EXPECT_LE(ticks, gap / 0.02 + 1e-6) << "near: " << near;
-        predicted += near;
-        last = ticks;
-    }
-    EXPECT_GT(predicted, 10);
-    EXPECT_LT(last, 10);
-}
-
 TEST_F(PredictiveSpace, AnInteractivePlaneMovesAmongNewGeoms)
 {
     dGeomID plane = dCreatePlane(scene.space(), 0, 0, 1, -10);
@@ -241,21 +185,6 @@ TEST_F(PredictiveSpace, AnInteractivePlaneMovesAmongNewGeoms)
     dReal ticks;
     EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(scene.space(), old[0], old[1], &ticks), 0);
     EXPECT_EQ(dPredictiveSpaceValidate(scene.space()), 1);
-}
-
-TEST_F(PredictiveSpace, StillGeomsStayApartForEver)
-{
-    dGeomID first = scene.sphere(0.5, 0, 0, 0);
-    dGeomID second = scene.sphere(0.5, 5, 0, 0);
-    dReal ticks = -1;
-    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, first, second, &ticks), 0);
-    EXPECT_EQ(ticks, 0) << "nothing was seen of them yet";
-    for (int tick = 0; tick < 20; ++tick)
-        scene.tick();
-    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, first, second, &ticks), 0);
-    EXPECT_EQ(ticks, dInfinity);
-    EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, first, first, &ticks), 1);
-    EXPECT_EQ(ticks, 0);
 }
 
 TEST_F(PredictiveSpace, QuestionsBeforeTheFirstTickAreAnswered)
@@ -397,32 +326,6 @@ TEST_F(PredictiveSpace, TheMemoryOfDestroyedGeomsIsGivenBack)
         EXPECT_TRUE(collide(space).empty());
         EXPECT_LT(stats().bytes, empty + 64 * 1024);
     }
-}
-
-TEST_F(PredictiveSpace, MemoryIsNotHeldForAllPairs)
-{
-    for (int i = 0; i < 2000; ++i)
-        scene.body(scene.sphere(0.1, 3 * (i % 20), 3 * (i / 20 % 10), 3 * (i / 200)), 0.1, 0, 0);
-    for (int tick = 0; tick < 20; ++tick)
-    {
-        scene.step(0.01);
-        collide(space);
-    }
-    EXPECT_LT(stats().bytes, 2000u * 2000u);
-}
-
-TEST_F(PredictiveSpace, TheSettingsOfOneSpaceAreNotThoseOfAnother)
-{
-    dSpaceID other = dPredictiveSpaceCreate(nullptr);
-    dPredictiveSpaceSetHorizon(space, 5, 6);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
-    dPredictiveSpaceSetDeviation(space, 0, 1, 2, 3);
-    int min_ticks, max_ticks;
-    dPredictiveSpaceGetHorizon(other, &min_ticks, &max_ticks);
-    EXPECT_NE(max_ticks, 6);
-    EXPECT_EQ(dPredictiveSpaceGetProximity(other), dPredictiveProximityBox);
-    EXPECT_EQ(dPredictiveSpaceGetDeviation(other, 0, nullptr, nullptr, nullptr), 0);
-    dSpaceDestroy(other);
 }
 } // namespace
 } // namespace ode_predictive_space

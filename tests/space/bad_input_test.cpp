@@ -21,9 +21,11 @@ struct Settings
     int fixed[2];
     dReal deviation[2][3];
     int horizon[2];
+    dReal margin;
 
     explicit Settings(dSpaceID space, dGeomID geom)
-        : proximity(dPredictiveSpaceGetProximity(space)), role(dPredictiveSpaceGetGeomRole(space, geom))
+        : proximity(dPredictiveSpaceGetProximity(space)), role(dPredictiveSpaceGetGeomRole(space, geom)),
+          margin(dPredictiveSpaceGetShapeMargin(space))
     {
         for (int i = 0; i < 2; ++i)
             fixed[i] = dPredictiveSpaceGetDeviation(space, i, &deviation[i][0], &deviation[i][1], &deviation[i][2]);
@@ -32,7 +34,8 @@ struct Settings
 
     bool operator==(const Settings &other) const
     {
-        return proximity == other.proximity && role == other.role && std::equal(fixed, fixed + 2, other.fixed) &&
+        return proximity == other.proximity && role == other.role && margin == other.margin &&
+               std::equal(fixed, fixed + 2, other.fixed) &&
                std::equal(&deviation[0][0], &deviation[0][0] + 6, &other.deviation[0][0]) &&
                std::equal(horizon, horizon + 2, other.horizon);
     }
@@ -90,6 +93,9 @@ TEST_F(BadInput, SpacesThatAreNullOrNotPredictive)
             {"dPredictiveSpaceSetDeviation", [=] { dPredictiveSpaceSetDeviation(bad, 0, 1, 1, 1); }},
             {"dPredictiveSpaceGetDeviation", [=] { dPredictiveSpaceGetDeviation(bad, 0, 0, 0, 0); }},
             {"dPredictiveSpacePrepare", [=] { dPredictiveSpacePrepare(bad); }},
+            {"dPredictiveSpaceGeomChanged", [=] { dPredictiveSpaceGeomChanged(bad, geom); }},
+            {"dPredictiveSpaceSetShapeMargin", [=] { dPredictiveSpaceSetShapeMargin(bad, 1); }},
+            {"dPredictiveSpaceGetShapeMargin", [=] { dPredictiveSpaceGetShapeMargin(bad); }},
             {"dPredictiveSpaceSetHorizon", [=] { dPredictiveSpaceSetHorizon(bad, 1, 2); }},
             {"dPredictiveSpaceGetHorizon", [=] { dPredictiveSpaceGetHorizon(bad, 0, 0); }},
             {"dPredictiveSpaceGetTimeOfProximity",
@@ -123,6 +129,7 @@ TEST_F(BadInput, GeomsThatAreNullOrElsewhere)
     {
         expect_refused("dPredictiveSpaceSetGeomRole", "geom", [=] { dPredictiveSpaceSetGeomRole(space, bad, 1); });
         expect_refused("dPredictiveSpaceGetGeomRole", "geom", [=] { dPredictiveSpaceGetGeomRole(space, bad); });
+        expect_refused("dPredictiveSpaceGeomChanged", "geom", [=] { dPredictiveSpaceGeomChanged(space, bad); });
         expect_refused("dPredictiveSpaceGetTimeOfProximity", "first",
                        [&, bad] { dPredictiveSpaceGetTimeOfProximity(space, bad, geom, &ticks); });
         expect_refused("dPredictiveSpaceGetTimeOfProximity", "second",
@@ -147,18 +154,21 @@ TEST_F(BadInput, Constants)
     }
 }
 
-TEST_F(BadInput, Deviations)
+TEST_F(BadInput, DeviationsAndMargins)
 {
     for (dReal bad : {dReal(-1), -std::numeric_limits<dReal>::min(), nan_value, infinite, -infinite})
     {
-        for (int role : {0, 1})
+        expect_refused("dPredictiveSpaceSetShapeMargin", "margin", [=] { dPredictiveSpaceSetShapeMargin(space, bad); });
         {
-            expect_refused("dPredictiveSpaceSetDeviation", " a",
-                           [=] { dPredictiveSpaceSetDeviation(space, role, bad, 1, 1); });
-            expect_refused("dPredictiveSpaceSetDeviation", " b",
-                           [=] { dPredictiveSpaceSetDeviation(space, role, 1, bad, 1); });
-            expect_refused("dPredictiveSpaceSetDeviation", " c",
-                           [=] { dPredictiveSpaceSetDeviation(space, role, 1, 1, bad); });
+            for (int role : {0, 1})
+            {
+                expect_refused("dPredictiveSpaceSetDeviation", " a",
+                               [=] { dPredictiveSpaceSetDeviation(space, role, bad, 1, 1); });
+                expect_refused("dPredictiveSpaceSetDeviation", " b",
+                               [=] { dPredictiveSpaceSetDeviation(space, role, 1, bad, 1); });
+                expect_refused("dPredictiveSpaceSetDeviation", " c",
+                               [=] { dPredictiveSpaceSetDeviation(space, role, 1, 1, bad); });
+            }
         }
     }
 }

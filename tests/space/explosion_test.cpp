@@ -103,21 +103,5 @@ TEST_F(Explosion, WhoThenAsksGetsAnIndex)
     ask(100);
     EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
 }
-
-TEST_F(Explosion, OfNewGeomsIsSweptWhetherThereIsAnIndexOrNot)
-{
-    for (bool asked : {true, false})
-    {
-        if (asked)
-            dPredictiveSpaceGetTimeOfProximity(space, left, right, nullptr);
-        const unsigned long scans = stats().scans;
-        const int count = static_cast<int>(bodies.size());
-        for (int i = 0; i < count; ++i)
-            add(i);
-        collide(space);
-        EXPECT_EQ(stats().scans, scans + 1);
-        EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
-    }
-}
 } // namespace
 } // namespace ode_predictive_space

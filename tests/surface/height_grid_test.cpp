@@ -102,16 +102,6 @@ TEST_F(HeightGrids, FindAllCellsThatAreNearWhereTheyRepeat)
     expect_all_near_found(true);
 }
 
-TEST_F(HeightGrids, EndAsTheyBeginWhereTheyRepeat)
-{
-    HeightGrid counted({5, 7, 1, 1, true}, [](int column, int row) { return 10.0 * row + column; });
-    counted.build(all_at_once);
-    for (int column = 0; column < 5; ++column)
-        EXPECT_EQ(counted.height(column, 6), column % 4);
-    for (int row = 0; row < 7; ++row)
-        EXPECT_EQ(counted.height(4, row), 10 * (row % 6));
-}
-
 TEST_F(HeightGrids, NearerSquaresComeFirst)
 {
     const auto grid = rough_grid({33, 33, 1, 1, false});
@@ -123,14 +113,6 @@ TEST_F(HeightGrids, NearerSquaresComeFirst)
         return true;
     });
     EXPECT_LT(visits, 100) << "of 1024 cells";
-}
-
-TEST_F(HeightGrids, WalkEndsWhenAsked)
-{
-    const auto grid = rough_grid({9, 9, 1, 1, true});
-    int visits = 0;
-    grid->walk(Box(Vector3(0, -2, 0), Vector3(20, 0, 20)), 1, [&](const HeightGrid::Cell &) { return ++visits < 3; });
-    EXPECT_EQ(visits, 3);
 }
 
 // A program's function may be slow, so the cost of building is counted in samples.
@@ -165,12 +147,6 @@ TEST_F(HeightGrids, TellHeightsThatAreNotFinite)
         EXPECT_FALSE(grid.is_finite());
     }
     EXPECT_TRUE(rough_grid({3, 3, 1, 1, false})->is_finite());
-}
-
-TEST_F(HeightGrids, TakeLittleMemory)
-{
-    const auto grid = rough_grid({257, 257, 1, 1, false});
-    EXPECT_LE(static_cast<double>(grid->bytes()) / static_cast<double>(grid->count()), 6);
 }
 } // namespace
 } // namespace ode_predictive_space

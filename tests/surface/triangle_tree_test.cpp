@@ -180,68 +180,6 @@ TEST_F(TriangleTrees, OfNoTrianglesVisitNone)
     }
 }
 
-TEST_F(TriangleTrees, HaveChildrenBehindTheirParentsAndInTheirBoxes)
-{
-    const Mesh mesh = soup(1000, 0.1);
-    TriangleTree tree(mesh.arrays());
-    tree.build(all_at_once);
-    std::vector<int> parents(tree.nodes().size()), leaves(tree.count());
-    const auto holds = [](const TriangleTree::Node &node, const Vector3 &low, const Vector3 &high) {
-        return (node.low.cast<double>().array() <= low.array()).all() &&
-               (node.high.cast<double>().array() >= high.array()).all();
-    };
-    for (std::size_t index = 0; index < tree.nodes().size(); ++index)
-    {
-        const TriangleTree::Node &node = tree.nodes()[index];
-        for (std::uint32_t i = node.first; i < node.end; ++i)
-        {
-            const std::uint32_t triangle = tree.order()[i];
-            for (const Vector3 &corner : tree.corners(triangle))
-                EXPECT_TRUE(holds(node, corner, corner));
-            ++leaves[triangle];
-        }
-        for (std::uint32_t i = node.first; !node.is_leaf() && i < node.first + 2; ++i)
-        {
-            ASSERT_GT(i, index);
-            const TriangleTree::Node &child = tree.nodes().at(i);
-            EXPECT_TRUE(holds(node, child.low.cast<double>(), child.high.cast<double>()));
-            ++parents[i];
-        }
-    }
-    EXPECT_EQ(leaves, std::vector<int>(tree.count(), 1));
-    EXPECT_EQ(parents[0], 0);
-    EXPECT_EQ(std::count(parents.begin(), parents.end(), 1), std::ptrdiff_t(parents.size()) - 1);
-}
-
-// All nodes above an entered node are entered, too.
-TEST_F(TriangleTrees, VisitTheTrianglesOfEnteredNodesInOneOrder)
-{
-    const Mesh mesh = soup(1000, 0.1);
-    TriangleTree tree(mesh.arrays());
-    tree.build(all_at_once);
-    std::vector<std::uint32_t> all;
-    tree.descend([](std::uint32_t) { return true; }, [&](std::uint32_t triangle) { all.push_back(triangle); });
-    EXPECT_EQ(std::set<std::uint32_t>(all.begin(), all.end()).size(), tree.count());
-    for (int i = 0; i < 20; ++i)
-    {
-        const Vector3 point = vector();
-        const double square = between(0, 0.1);
-        const auto is_near = [&](std::uint32_t node) { return tree.nodes()[node].squared_distance(point) <= square; };
-        std::set<std::uint32_t> near;
-        for (std::uint32_t index = 0; index < tree.nodes().size(); ++index)
-        {
-            const TriangleTree::Node &node = tree.nodes()[index];
-            if (node.is_leaf() && is_near(index))
-                near.insert(tree.order().begin() + node.first, tree.order().begin() + node.end);
-        }
-        std::vector<std::uint32_t> expected, found;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
-                     [&](std::uint32_t triangle) { return near.count(triangle) == 1; });
-        tree.descend(is_near, [&](std::uint32_t triangle) { found.push_back(triangle); });
-        EXPECT_EQ(found, expected);
-    }
-}
-
 TEST_F(TriangleTrees, NearerBoxesComeFirst)
 {
     const Mesh mesh = soup(10000, 0.01);
@@ -258,50 +196,6 @@ TEST_F(TriangleTrees, NearerBoxesComeFirst)
     EXPECT_LT(visits, 100);
     for (std::uint32_t triangle = 0; triangle < tree.count(); ++triangle)
         EXPECT_GE(distance(point, tree.corners(triangle)), most);
-}
-
-TEST_F(TriangleTrees, EndAWalkWhenTheVisitorSaysSo)
-{
-    Mesh mesh;
-    for (int i = 0; i < 100; ++i)
-        mesh.add({vector(), vector(), vector()});
-    TriangleTree tree(mesh.arrays());
-    tree.build(all_at_once);
-    int visits = 0;
-    tree.walk(Vector3::Zero(), 10, [&](std::uint32_t) { return ++visits < 7; });
-    EXPECT_EQ(visits, 7);
-}
-
-TEST_F(TriangleTrees, AreTheSameInSlicesOfAnySize)
-{
-    const Mesh mesh = soup(1000, 0.1);
-    TriangleTree whole(mesh.arrays()), sliced(mesh.arrays());
-    const std::size_t steps = all_at_once - whole.build(all_at_once);
-    std::size_t slices = 0;
-    for (; !sliced.is_ready(); ++slices)
-        EXPECT_TRUE(sliced.build(17) == 0 || sliced.is_ready());
-    EXPECT_EQ(slices, (steps + 16) / 17);
-    for (int i = 0; i < 20; ++i)
-    {
-        const Vector3 point = vector();
-        EXPECT_EQ(visited(sliced, point, 0.3), visited(whole, point, 0.3));
-    }
-}
-
-TEST_F(TriangleTrees, NeedFewBytesForEachTriangle)
-{
-    constexpr int side = 200;
-    Mesh mesh;
-    for (int x = 0; x < side; ++x)
-        for (int y = 0; y < side; ++y)
-        {
-            const Vector3 corner(x, y, 0);
-            mesh.add({corner, corner + Vector3::UnitX(), corner + Vector3::UnitY()});
-            mesh.add({corner + Vector3(1, 1, 0), corner + Vector3::UnitY(), corner + Vector3::UnitX()});
-        }
-    TriangleTree tree(mesh.arrays());
-    tree.build(100 * all_at_once);
-    EXPECT_LE(tree.bytes(), 48u * tree.count());
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -92,13 +92,18 @@ protected:
 
 TEST_F(Times, OfAGeomThatTheProgramMovesAreNeverLate)
 {
+    const dReal speeds[] = {REAL(0.01), REAL(0.02), REAL(0.05)};
     for (int others : {0, 30, 300})
-        for (dReal speed : {REAL(0.01), REAL(0.02), REAL(0.05)})
+        for (int axis = 0; axis < 3; ++axis)
         {
+            const auto put = [&](dGeomID geom, dReal way) {
+                dGeomSetPosition(geom, axis == 0 ? way : 0, axis == 1 ? way : 0, axis == 2 ? way : 0);
+            };
             fill(others);
-            const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0);
+            const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 0, 0, 0);
+            put(other, 3);
             expect_honest(answers_until_they_meet(
-                one, other, 10, [&](int tick) { dGeomSetPosition(one, speed * static_cast<dReal>(tick), 0, 0); }));
+                one, other, 10, [&](int tick) { put(one, speeds[axis] * static_cast<dReal>(tick)); }));
             dGeomDestroy(one);
             dGeomDestroy(other);
         }
@@ -259,6 +264,43 @@ TEST_F(Times, CountTicksWhateverIsAskedWithinThem)
         dGeomSetPosition(one, way, 0, 0);
     }));
     dGeomDestroy(probe);
+}
+
+TEST_F(Times, AreNotThoseOfAnotherGeomThatIsAskedAboutAfterOneHasComeToRest)
+{
+    fill(20);
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 3, 0, 0);
+    const dGeomID first = scene.sphere(0.1, 0, 50, 0), last = scene.sphere(0.1, 0, 80, 0);
+    expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+        const dReal way = REAL(0.01) * static_cast<dReal>(tick);
+        dGeomSetPosition(one, way, 0, 0);
+        dGeomSetPosition(first, std::min(way, REAL(0.2)), 50, 0);
+        dGeomSetPosition(last, 0, 80 + way, 0);
+        ask(tick < 60 ? first : last, other);
+    }));
+}
+
+TEST_F(Times, OfANewGeomAreNotThoseOfTheOneBefore)
+{
+    fill(20);
+    const dGeomID other = scene.sphere(0.1, 3, 0, 0);
+    dGeomID one = scene.sphere(0.1, 0, 0, 0);
+    for (int tick = 0; tick < 40; ++tick)
+    {
+        if (tick == 20)
+        {
+            dGeomDestroy(one);
+            one = scene.sphere(0.1, 0, 0, 0);
+        }
+        dGeomSetPosition(one, REAL(0.01) * static_cast<dReal>(tick), 0, 0);
+        collide(space);
+        const Answer answer = ask(one, other);
+        if (tick % 20 < 2)
+        {
+            EXPECT_EQ(answer, not_known) << tick;
+        }
+        EXPECT_TRUE(tick % 20 < 5 || answer.ticks > 0) << tick;
+    }
 }
 
 // The callback is called for pairs within the margin.

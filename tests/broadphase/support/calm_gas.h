@@ -31,16 +31,6 @@ public:
         return world.tick();
     }
 
-    /// As tick(), with the last object moved first.
-    Pairs tick_backwards()
-    {
-        const std::vector<ProxyId> ids = world.members();
-        for (auto id = ids.rbegin(); id != ids.rend(); ++id)
-            world.place(*id, world.object(*id).centre + world.object(*id).displacement);
-        bounce();
-        return world.tick();
-    }
-
     void run(int ticks)
     {
         for (int i = 0; i < ticks; ++i)
@@ -51,12 +41,6 @@ public:
     {
         for (ProxyId id : world.members())
             world.place(id, random_.vector(half_));
-    }
-
-    void explode()
-    {
-        for (ProxyId id : world.members())
-            world.object(id).displacement = random_.vector(0.003);
     }
 
     double objects() const { return static_cast<double>(world.members().size()); }

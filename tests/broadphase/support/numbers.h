@@ -10,7 +10,6 @@ namespace ode_predictive_space
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr float float_infinity = std::numeric_limits<float>::infinity();
-constexpr float float_nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float largest_float = std::numeric_limits<float>::max();
 } // namespace ode_predictive_space
 

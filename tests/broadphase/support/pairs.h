@@ -22,17 +22,6 @@ template <typename Source> Pairs sorted_pairs(const Source &source)
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
-
-/// All pairs from 0 to count - 1 for which overlap(first, second) holds, in ascending order.
-template <typename Overlap> Pairs all_pairs(std::size_t count, Overlap overlap)
-{
-    Pairs pairs;
-    for (ProxyId first = 0; first < count; ++first)
-        for (ProxyId second = first + 1; second < count; ++second)
-            if (overlap(first, second))
-                pairs.emplace_back(first, second);
-    return pairs;
-}
 } // namespace ode_predictive_space
 
 #endif
