@@ -50,7 +50,7 @@ demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_wi
     spec.objects = options.objects;
     spec.seed = options.seed;
     const worlds::WorldFactory factory = demo::factory_for_probe(spec);
-    const auto notice = [](const haptics::Notice &told) { std::cerr << "-- " << told.sentence() << std::endl; };
+    const auto notice = [](const haptics::Notice &sent) { std::cerr << "-- " << sent.sentence() << std::endl; };
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     if (in_window)
         return demo::run_in_window(options, factory, device, notice);

@@ -17,10 +17,10 @@ HapticRun::HapticRun(const Options &options, const worlds::WorldFactory &factory
                      RunControl &control, const haptics::NoticeSink &notice)
     : options_(options), device_(device), control_(control), scene_(options.spaces.front(), factory)
 {
-    const haptics::NoticeSink counted = [this, notice](const haptics::Notice &told) {
-        if (told.kind == haptics::NoticeKind::guard || told.kind == haptics::NoticeKind::watchdog)
+    const haptics::NoticeSink counted = [this, notice](const haptics::Notice &sent) {
+        if (sent.kind == haptics::NoticeKind::guard || sent.kind == haptics::NoticeKind::watchdog)
             safety_notices_.fetch_add(1, std::memory_order_relaxed);
-        notice(told);
+        notice(sent);
     };
     make_probe(counted);
     make_loop(counted);

@@ -58,7 +58,7 @@ private:
     void read_chart(const ServoChart &chart);
     void change_stiffness(double factor);
     void begin_anew();
-    void tell(const haptics::Notice &notice);
+    void show(const haptics::Notice &notice);
 
     const Options &options_;
     const worlds::WorldFactory &factory_;
@@ -132,7 +132,7 @@ void WindowedRun::run_once()
 void WindowedRun::make_run()
 {
     auto run = std::make_unique<HapticRun>(options_, factory_, device_, control_,
-                                           [this](const haptics::Notice &notice) { tell(notice); });
+                                           [this](const haptics::Notice &notice) { show(notice); });
     auto writer = std::make_unique<ViewWriter>(*run, views_, picture_time_);
     const std::lock_guard<std::mutex> lock(run_mutex_);
     run_ = std::move(run);
@@ -182,7 +182,7 @@ void WindowedRun::picture_taken()
         run_->stop(); // the run was only for the picture
 }
 
-void WindowedRun::tell(const haptics::Notice &notice)
+void WindowedRun::show(const haptics::Notice &notice)
 {
     notice_(notice);
     const std::lock_guard<std::mutex> lock(notice_mutex_);

@@ -22,10 +22,11 @@ constexpr std::size_t objects_per_call = 32;
 
 // --- Predict ---
 
-/// Reach of envelopes, in object sizes: the initial one, varied by a quarter, and the maximum. (heap 500, gas 1,000)
+/// Reach of envelopes, in object sizes: of a new object, spread by +- 25 % so that not all leave theirs together, and the maximum.
+/// (heap 500, gas 1,000)
 constexpr float first_reach = 0.5f, most_reach = 4;
 
-/// Factor by which the reach grows, or shrinks when its tests cost more than a prediction.
+/// Factor by which a prediction lengthens the reach; it shortens it if the tests since the last prediction cost more than one.
 constexpr float reach_step = 1.25f;
 
 /// Tests of pairs that are apart that cost as much as a prediction. (game 1,000)

@@ -4,7 +4,7 @@
 
 #include "ode_predictive_space/haptics/device/base_course.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
-#include "ode_predictive_space/haptics/law/felt_touches.h"
+#include "ode_predictive_space/haptics/law/rendered_touches.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "ode_predictive_space/haptics/safety/device_link.h"
@@ -281,7 +281,7 @@ public:
     std::optional<Watchdog> watchdog; ///< replaced with the rates; has a value after construction
     std::optional<PassivityController> passivity;
     std::function<void(const RenderedTick &)> recorder;
-    FeltTouches touched;
+    RenderedTouches touched;
     RenderedTick tick;
     double clock_time = 0;
     bool relaxed = false;        ///< without a read() since

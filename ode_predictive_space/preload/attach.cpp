@@ -10,7 +10,7 @@
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/preload/substitute.h"
-#include "ode_predictive_space/preload/watch.h"
+#include "ode_predictive_space/preload/monitor.h"
 #include "ode_predictive_space/recording/notices.h"
 #include "ode_predictive_space/space/ode_check.h"
 #include "ode_predictive_space/space/ode_internals.h"
@@ -21,7 +21,7 @@ namespace
 {
 // Never deleted: a program may make spaces and collide until the process ends.
 const Settings *settings;
-Watch *watch;
+Monitor *monitor;
 
 // The space has the class that the program asked for.
 dSpaceID create(int space_class, dSpaceID parent)
@@ -34,24 +34,24 @@ dSpaceID create(int space_class, dSpaceID parent)
     space->type = space_class;
     if (settings->proximity != dPredictiveProximityBox)
         dPredictiveSpaceSetProximity(space, settings->proximity);
-    if (watch)
-        watch->ledger().made(space, true);
+    if (monitor)
+        monitor->ledger().made(space, true);
     return space;
 }
 
 void made(dSpaceID space)
 {
-    watch->ledger().made(space, false);
+    monitor->ledger().made(space, false);
 }
 
 void collide(dSpaceID space, void *data, dNearCallback *callback)
 {
-    watch->collide(space, data, callback);
+    monitor->collide(space, data, callback);
 }
 
 void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
-    watch->collide2(first, second, data, callback);
+    monitor->collide2(first, second, data, callback);
 }
 
 void keep_ledger_whole_in_children()
@@ -60,16 +60,16 @@ void keep_ledger_whole_in_children()
     ode_predictive_space_stop_listening(nullptr);
     pthread_atfork(
         [] {
-            watch->hold_recording();
-            watch->ledger().lock();
+            monitor->hold_recording();
+            monitor->ledger().lock();
         },
         [] {
-            watch->ledger().unlock();
-            watch->resume_recording();
+            monitor->ledger().unlock();
+            monitor->resume_recording();
         },
         [] {
-            watch->ledger().begin_in_child();
-            watch->begin_recording_in_child();
+            monitor->ledger().begin_in_child();
+            monitor->begin_recording_in_child();
         });
 }
 
@@ -84,8 +84,8 @@ __attribute__((constructor)) void check_ode()
 
 __attribute__((destructor)) void finish()
 {
-    if (watch)
-        watch->finish();
+    if (monitor)
+        monitor->finish();
 }
 } // namespace
 
@@ -101,9 +101,9 @@ extern "C" __attribute__((visibility("default"))) const Hooks *ode_predictive_sp
     for (const std::string &complaint : complaints)
         say("%s", complaint.c_str());
     static Hooks hooks{create, nullptr, nullptr, nullptr};
-    if (settings->watches())
+    if (settings->monitors())
     {
-        watch = new Watch(*settings, *calls);
+        monitor = new Monitor(*settings, *calls);
         keep_ledger_whole_in_children();
         hooks = {create, made, collide, collide2};
     }

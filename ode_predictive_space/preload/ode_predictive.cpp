@@ -159,7 +159,7 @@ void add_report(CLI::App &tool, std::string &file, std::string &folder)
     report->add_option("DIR", folder, "The folder for the page; it is made if it does not exist")->required();
 }
 
-// Takes a "--" and what follows out of the words of `run`, where the parser would end the command.
+// Removes "--" and the words after it from those of `run`, and returns them: CLI11 would end the subcommand at "--".
 std::vector<std::string> cut_at_mark(std::vector<std::string> &words)
 {
     const bool is_run = !words.empty() && words.front() == "run";

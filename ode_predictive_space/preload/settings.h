@@ -19,7 +19,7 @@ struct Settings
     std::string trace_file;         ///< a line for every collide; empty: none
     std::string record_file;        ///< the recording; empty: none
     std::uint64_t record_limit = 0; ///< bytes
-    bool watches() const { return stats || !trace_file.empty() || !record_file.empty(); }
+    bool monitors() const { return stats || !trace_file.empty() || !record_file.empty(); }
 };
 
 /// Bytes of a recording unless ODE_PREDICTIVE_RECORD_LIMIT is set.

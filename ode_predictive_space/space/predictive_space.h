@@ -37,8 +37,8 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
     ode_predictive_space::Role role(dxGeom *geom) const;
 
-    /// Updates the broad phase without a tick. @return false, after a message, if an update is in progress, in another thread's
-    /// tick or further up the stack.
+    /// Updates the broad phase without a tick. @return false, after a message, if another thread's tick or a caller further up
+    /// the stack is updating it.
     bool catch_up(const char *function);
 
     /// Calls catch_up(). @return a lock under which other threads' queries that write wait; without a mutex if catch_up()

@@ -904,7 +904,7 @@ def haptic_faults():
         "observer_ignores_what_was_written", "haptics", SOURCES + "haptics/renderer.cpp",
         "passivity->written(tick.wrench.force);", "passivity->damping();", renderer)
     yield Fault(
-        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/law/felt_touches.h",
+        "release_of_the_clutch_forgotten", "haptics", SOURCES + "haptics/law/rendered_touches.h",
         "            manifold_.release();", "            (void)0;", renderer)
     yield Fault(
         "passivity_delay_off_by_one", "haptics", safety + "passivity.h",

@@ -39,7 +39,7 @@ TEST(Settings, DefaultsAreTakenForWhatIsUnsetOrEmpty)
         const Settings settings = read(environment);
         EXPECT_EQ(settings.replaced, by_default);
         EXPECT_EQ(settings.proximity, dPredictiveProximityBox);
-        EXPECT_FALSE(settings.watches());
+        EXPECT_FALSE(settings.monitors());
     }
 }
 
@@ -48,8 +48,8 @@ TEST(Settings, TheOthers)
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "sphere"}}).proximity, dPredictiveProximitySphere);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "shape"}}).proximity, dPredictiveProximityShape);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_PROXIMITY", "ball"}}, 1).proximity, dPredictiveProximityBox);
-    EXPECT_TRUE(read({{"ODE_PREDICTIVE_TRACE", "file"}}).watches());
-    EXPECT_TRUE(read({{"ODE_PREDICTIVE_RECORD", "file"}}).watches());
+    EXPECT_TRUE(read({{"ODE_PREDICTIVE_TRACE", "file"}}).monitors());
+    EXPECT_TRUE(read({{"ODE_PREDICTIVE_RECORD", "file"}}).monitors());
     EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD", "file"}}).record_limit, default_record_limit);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD_LIMIT", "3M"}}).record_limit, 3u << 20);
     EXPECT_EQ(read({{"ODE_PREDICTIVE_RECORD_LIMIT", "3T"}}, 1).record_limit, default_record_limit);

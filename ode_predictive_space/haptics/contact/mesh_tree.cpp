@@ -190,12 +190,12 @@ double MeshTree::add(const Vector3 &point, std::uint32_t triangle, double radius
     };
     if (std::any_of(features.begin() + static_cast<std::ptrdiff_t>(first), features.end(), same))
         return feature.distance;
-    const bool is_told = is_minimum(found, triangle, point);
-    if (!is_told)
+    const bool is_lowest = is_minimum(found, triangle, point);
+    if (!is_lowest)
         feature.triangle = no_minimum;
     const bool in_large_fan =
         found.part == TrianglePart::corner && fans_[triangles_[triangle][found.index]].size > large_fan;
-    if (is_told || in_large_fan) // then the other triangles of the fan need no check
+    if (is_lowest || in_large_fan) // then the other triangles of the fan need no check
         features.push_back(feature);
     return feature.distance;
 }

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Settings and callbacks of a guard. Its threads call the functions, which may be empty.
+/// Settings and callbacks of a guard. The guard's own threads call the callbacks. An empty callback is skipped.
 struct GuardDuties
 {
     double stall_after = 0.005;     ///< s; from the last beat until the servo counts as hung

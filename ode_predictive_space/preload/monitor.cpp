@@ -1,4 +1,4 @@
-#include "ode_predictive_space/preload/watch.h"
+#include "ode_predictive_space/preload/monitor.h"
 
 #include <algorithm>
 #include <chrono>
@@ -106,7 +106,7 @@ recording::HistoryFile new_file(const std::string &name, std::string &path)
 } // namespace
 
 // One call of dSpaceCollide() or dSpaceCollide2().
-struct Watch::Call
+struct Monitor::Call
 {
     dSpaceID space;
     const char *function;
@@ -122,7 +122,7 @@ struct Watch::Call
     std::vector<Pair> kept = {};
 };
 
-Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settings), ode_(calls)
+Monitor::Monitor(const Settings &settings, const OdeCalls &calls) : settings_(settings), ode_(calls)
 {
     cost_of_clock();
     records_ = !settings.record_file.empty();
@@ -131,28 +131,28 @@ Watch::Watch(const Settings &settings, const OdeCalls &calls) : settings_(settin
 }
 
 // Bad arguments are left to ODE, which refuses them.
-void Watch::collide(dSpaceID space, void *data, dNearCallback *callback)
+void Monitor::collide(dSpaceID space, void *data, dNearCallback *callback)
 {
     if (!space || !callback)
         return ode_.collide(space, data, callback);
     Call call{space, "dSpaceCollide", &SpaceCounts::collide, data, callback};
     run(
-        call, [&] { ode_.collide(space, &call, &Watch::on_pair); },
+        call, [&] { ode_.collide(space, &call, &Monitor::on_pair); },
         [&](recording::Recorder &recorder) { return recorder.begin_collide(space); });
 }
 
-void Watch::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
+void Monitor::collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback)
 {
     const dSpaceID space = first && second && callback ? asked_space(first, second) : nullptr;
     if (!space)
         return ode_.collide2(first, second, data, callback);
     Call call{space, "dSpaceCollide2", &SpaceCounts::collide2, data, callback};
     run(
-        call, [&] { ode_.collide2(first, second, &call, &Watch::on_pair); },
+        call, [&] { ode_.collide2(first, second, &call, &Monitor::on_pair); },
         [&](recording::Recorder &recorder) { return recorder.begin_collide2(first, second); });
 }
 
-template <typename Native, typename Record> void Watch::run(Call &call, Native native, Record record)
+template <typename Native, typename Record> void Monitor::run(Call &call, Native native, Record record)
 {
     call.keep = trace_file_ != nullptr;
     if (call.keep)
@@ -178,7 +178,7 @@ template <typename Native, typename Record> void Watch::run(Call &call, Native n
     count(call);
 }
 
-void Watch::count(const Call &call)
+void Monitor::count(const Call &call)
 {
     ledger_.with_counts(call.space, [&](SpaceCounts &counts) {
         counts.most_geoms = std::max(counts.most_geoms, dSpaceGetNumGeoms(call.space));
@@ -191,7 +191,7 @@ void Watch::count(const Call &call)
     });
 }
 
-void Watch::end_event(Call &call)
+void Monitor::end_event(Call &call)
 {
     tick_clock.pause();
     const double tick = tick_clock.end_collide();
@@ -201,7 +201,7 @@ void Watch::end_event(Call &call)
     tick_clock.end_recording();
 }
 
-void Watch::on_pair(void *data, dGeomID first, dGeomID second)
+void Monitor::on_pair(void *data, dGeomID first, dGeomID second)
 {
     Call &call = *static_cast<Call *>(data);
     ++call.reported;
@@ -218,7 +218,7 @@ void Watch::on_pair(void *data, dGeomID first, dGeomID second)
 }
 
 // The file is made at the first collide of the process.
-recording::Recorder *Watch::recorder()
+recording::Recorder *Monitor::recorder()
 {
     if (!records_)
         return nullptr;
@@ -238,7 +238,7 @@ recording::Recorder *Watch::recorder()
     return recorder_.get();
 }
 
-void Watch::begin_recording_in_child()
+void Monitor::begin_recording_in_child()
 {
     if (recorder_)
         recorder_->leave_to_parent();
@@ -247,7 +247,7 @@ void Watch::begin_recording_in_child()
     recording_.unlock();
 }
 
-void Watch::end_recording()
+void Monitor::end_recording()
 {
     const std::lock_guard<std::mutex> guard(recording_);
     if (recorder_ && !recorder_->close())
@@ -256,7 +256,7 @@ void Watch::end_recording()
 
 // Calls the callbacks after the collide, in an order that does not depend on the space. A deterministic program then does the
 // same with all spaces that report the same pairs.
-void Watch::trace(Call &call)
+void Monitor::trace(Call &call)
 {
     const std::uint64_t hash = put_in_order(call.kept);
     char line[160];
@@ -269,14 +269,14 @@ void Watch::trace(Call &call)
     call.in_callbacks = now() - start;
 }
 
-void Watch::finish()
+void Monitor::finish()
 {
     end_recording();
     if (settings_.stats)
         write_statistics();
 }
 
-void Watch::write_statistics() const
+void Monitor::write_statistics() const
 {
     std::string text = ledger_.statistics();
     if (text.empty())

@@ -1,5 +1,5 @@
-#ifndef ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
-#define ODE_PREDICTIVE_SPACE_PRELOAD_WATCH_H
+#ifndef ODE_PREDICTIVE_SPACE_PRELOAD_MONITOR_H
+#define ODE_PREDICTIVE_SPACE_PRELOAD_MONITOR_H
 
 #include <memory>
 #include <mutex>
@@ -14,10 +14,10 @@
 namespace ode_predictive_space::preload
 {
 /// Measures, traces and records the collides of a process by its settings. Lives until the process ends.
-class Watch
+class Monitor
 {
 public:
-    Watch(const Settings &settings, const OdeCalls &calls);
+    Monitor(const Settings &settings, const OdeCalls &calls);
 
     void collide(dSpaceID space, void *data, dNearCallback *callback);
     void collide2(dGeomID first, dGeomID second, void *data, dNearCallback *callback);

@@ -1,7 +1,7 @@
 // The touches of a tick as rendered: the law's forces, and each object's part of the given force.
 
-#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
-#define ODE_PREDICTIVE_SPACE_HAPTICS_FELT_TOUCHES_H
+#ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RENDERED_TOUCHES_H
+#define ODE_PREDICTIVE_SPACE_HAPTICS_RENDERED_TOUCHES_H
 
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/force_law.h"
@@ -11,12 +11,12 @@ namespace ode_predictive_space::haptics
 {
 /// Call order in each tick: take(), force(), then give() or give_nothing(). Does not allocate for a number of touches
 /// that it has seen before.
-class FeltTouches
+class RenderedTouches
 {
 public:
-    FeltTouches()
+    RenderedTouches()
     {
-        felt_.reserve(touch_capacity);
+        touches_.reserve(touch_capacity);
         forces_.reserve(touch_capacity);
     }
 
@@ -26,15 +26,15 @@ public:
         split_.clear();
     }
 
-    std::vector<Touch> &take(const std::vector<Touch> &touches) { return felt_ = touches; }
+    std::vector<Touch> &take(const std::vector<Touch> &touches) { return touches_ = touches; }
 
     /// @param gap see ContactManifold::follow(). @param released whether the clutch was released in this tick.
     Vector3 force(ForceLaw &law, const ToolState &tool, double dt, std::optional<double> gap, bool released)
     {
         if (released)
             manifold_.release();
-        manifold_.follow(tool, law.view(), dt, gap, felt_);
-        law.forces(tool, felt_, dt, forces_);
+        manifold_.follow(tool, law.view(), dt, gap, touches_);
+        law.forces(tool, touches_, dt, forces_);
         return sum_of(forces_);
     }
 
@@ -44,7 +44,7 @@ public:
         if (given.isZero(0))
             split_.clear();
         else
-            split_.split(felt_, forces_, given);
+            split_.split(touches_, forces_, given);
     }
 
     void give_nothing() { split_.clear(); }
@@ -52,7 +52,7 @@ public:
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 
 private:
-    std::vector<Touch> felt_;
+    std::vector<Touch> touches_;
     ContactManifold manifold_;
     TouchForces forces_; ///< N; by the law
     ForceSplit split_;
