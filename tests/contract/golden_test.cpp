@@ -220,7 +220,7 @@ constexpr Scene scenes[] = {
     {"few", 80, dPredictiveProximityBox, fly, 12801928148800861303u, 12801928148800861303u},
     {"calm", 400, dPredictiveProximityBox, fly, 3263685033765367069u, 3263685033765367069u},
     {"resting", 400, dPredictiveProximityBox, fly_and_rest, 11377869548768649983u, 11377869548768649983u},
-    {"teleports", 400, dPredictiveProximityBox, teleport, 3312383073990656952u, 17297960581496012240u},
+    {"teleports", 400, dPredictiveProximityBox, teleport, 3312383073990656952u, 5534598389022327228u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 772603731592510512u, 772603731592510512u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 12875499346173577343u, 12875499346173577343u},
     {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 12881913544911960643u, 12881913544911960643u},
