@@ -13,6 +13,8 @@ namespace ode_predictive_space::tuning
 
 /// Maximum number of objects whose working set stays cached between ticks: prefetching does not pay. (gas 1,000, pile 1,000)
 constexpr std::size_t cached_objects = 300;
+/// As above, for the two lines per geom that callbacks read; notices and measure have just read most. (floor 500, lidar_nested)
+constexpr std::size_t cached_filters = 2000;
 
 /// Prefetch distance in loop iterations. (gas 10,000)
 constexpr std::size_t prefetch_distance = 8;

@@ -354,7 +354,7 @@ void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCal
     const auto visit = [&](std::size_t i) {
         call_back(geoms_[pairs[i].first], geoms_[pairs[i].second], data, callback);
     };
-    if (geoms_.size() > tuning::cached_objects)
+    if (geoms_.size() > tuning::cached_filters)
         for_each_prefetched(count, tuning::prefetch_distance, visit, [&](std::size_t i) {
             prefetch_filters(geoms_[pairs[i].first]);
             prefetch_filters(geoms_[pairs[i].second]);
