@@ -40,6 +40,14 @@ public:
         tree_.build(leaves);
     }
 
+    template <typename NewBox> bool refit(NewBox new_box)
+    {
+        std::vector<SweptProxy> leaves;
+        for (auto &[proxy, box] : boxes_)
+            leaves.push_back({proxy, box = new_box(box)});
+        return tree_.refit(leaves);
+    }
+
     bool contains(ProxyId proxy) const { return boxes_.count(proxy) == 1; }
     std::size_t size() const { return boxes_.size(); }
     const EnvelopeTree &tree() const { return tree_; }
@@ -104,6 +112,8 @@ TEST_P(AnyTree, AnswersAsBruteForceDoesAfterEveryChange)
         const FloatBox box = random.box(shape.spread, shape.size);
         if (random.chance(0.003))
             checked.rebuild();
+        else if (random.chance(0.003))
+            checked.refit([&](const FloatBox &) { return random.box(shape.spread, shape.size); });
         else if (!checked.contains(proxy))
             checked.insert(proxy, box);
         else if (random.chance(0.5))
@@ -140,6 +150,26 @@ TEST(EnvelopeTree, HoldsAnyNumberOfIdenticalBoxes)
         checked.remove(proxy);
     checked.expect_consistent();
     checked.expect_found(box);
+}
+
+TEST(EnvelopeTree, TellsWhenItHasBecomeMuchWorseByRefitting)
+{
+    Random random(2);
+    CheckedTree checked;
+    for (ProxyId proxy = 0; proxy < 500; ++proxy)
+        checked.insert(proxy, random.box(10, 0.1));
+    checked.rebuild();
+    EXPECT_TRUE(checked.refit([](const FloatBox &box) {
+        return FloatBox{{box.low[0] + 100, box.low[1], box.low[2]}, {box.high[0] + 100, box.high[1], box.high[2]}};
+    })) << "all have moved alike";
+    EXPECT_TRUE(checked.refit([&](const FloatBox &box) {
+        const float step = static_cast<float>(random.uniform(-0.01, 0.01));
+        return FloatBox{{box.low[0], box.low[1] + step, box.low[2]}, {box.high[0], box.high[1] + step, box.high[2]}};
+    })) << "hardly any has other neighbours";
+    EXPECT_FALSE(checked.refit([&](const FloatBox &) { return random.box(10, 0.1); }))
+        << "none has the same neighbours";
+    checked.expect_all_found();
+    EXPECT_TRUE(CheckedTree().refit([](const FloatBox &box) { return box; })) << "empty as before";
 }
 
 int ideal_depth(std::size_t leaves)

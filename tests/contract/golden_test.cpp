@@ -223,7 +223,7 @@ constexpr Scene scenes[] = {
     {"teleports", 400, dPredictiveProximityBox, teleport, 3312383073990656952u, 5534598389022327228u},
     {"churn", 300, dPredictiveProximityBox, come_and_go, 772603731592510512u, 772603731592510512u},
     {"churn_by_spheres", 300, dPredictiveProximitySphere, come_and_go, 12875499346173577343u, 12875499346173577343u},
-    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 12881913544911960643u, 12881913544911960643u},
+    {"churn_by_shapes", 300, dPredictiveProximityShape, come_and_go, 17676009583800112171u, 17676009583800112171u},
 };
 
 class GoldenScene : public OdeTest, public testing::WithParamInterface<Scene>

@@ -234,6 +234,8 @@ def index_faults():
         "probe.overlaps(node.boxes) & ~(~0u << node.count)", "probe.overlaps(node.boxes)",
         (("broadphase", "RayProbe.*:EnvelopeTree.*"),))
     yield Fault(
+        "boxes_above_refitted_leaves_stale", "index", tree, "node.boxes.set(place % width, nodes_[below].boxes.merged());", ";", trees)
+    yield Fault(
         "tree_not_asked", "index", index,
         "find_in_tree(boxes_.data() + i, std::min(boxes_.size() - i, EnvelopeTree::most_together), batch, idle, pairs);", ";",
         indices)

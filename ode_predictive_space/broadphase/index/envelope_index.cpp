@@ -61,6 +61,31 @@ void EnvelopeIndex::prepare(ProxyStore &proxies)
 {
     if (!is_stale_)
         return;
+    if (!refit(proxies))
+        build(proxies);
+    is_stale_ = false;
+}
+
+// Replaces each box in its place.
+// @return false if an object belongs elsewhere or the tree has become much worse; then the index must be built.
+bool EnvelopeIndex::refit(ProxyStore &proxies)
+{
+    bool are_all_there = true;
+    boxes_.clear();
+    proxies.members().for_each([&](ProxyId id) {
+        const SweptProxy swept{id, proxies.places[id].envelope()};
+        const TreeKind tree_kind = proxies.records[id].tree_kind;
+        are_all_there &= tree_kind == tree_kind_for(swept.box);
+        if (tree_kind == TreeKind::tree)
+            boxes_.push_back(swept);
+        else if (tree_kind == TreeKind::list)
+            list_.put(swept);
+    });
+    return are_all_there && tree_.refit(boxes_);
+}
+
+void EnvelopeIndex::build(ProxyStore &proxies)
+{
     clear(proxies); // tree_kind is set last, so that running out of memory leaves none set
     is_stale_ = true;
     boxes_.clear();
@@ -74,7 +99,6 @@ void EnvelopeIndex::prepare(ProxyStore &proxies)
     tree_.build(boxes_);
     proxies.members().for_each(
         [&](ProxyId id) { proxies.records[id].tree_kind = tree_kind_for(proxies.places[id].envelope()); });
-    is_stale_ = false;
 }
 
 void EnvelopeIndex::remove(ProxyStore &proxies, ProxyId id)

@@ -45,6 +45,8 @@ public:
 private:
     bool is_bulk(const ProxyStore &proxies, std::size_t batch) const;
     void put(ProxyStore &proxies, ProxyId id);
+    bool refit(ProxyStore &proxies);
+    void build(ProxyStore &proxies);
     TreeKind tree_kind_for(const FloatBox &envelope) const;
     void query(const Batch &batch, const IdSet &idle, std::vector<CandidatePair> &pairs);
     void find_in_tree(const SweptProxy *some, std::size_t count, const Batch &batch, const IdSet &idle,

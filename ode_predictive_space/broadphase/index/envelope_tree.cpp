@@ -290,6 +290,35 @@ void EnvelopeTree::refit_upwards(Index index)
     }
 }
 
+bool EnvelopeTree::refit(const std::vector<SweptProxy> &leaves)
+{
+    for (const SweptProxy &leaf : leaves)
+    {
+        const Index place = leaf_place_[leaf.proxy];
+        node_of(place).boxes.set(place % width, leaf.box);
+    }
+    float before = 0;
+    return empty() || refit_below(root_, before) <= tuning::worse_by_refitting * before;
+}
+
+// @param before increased by the former half areas of all boxes of nodes below.
+// @return the sum of their new half areas.
+float EnvelopeTree::refit_below(Index index, float &before)
+{
+    Node &node = nodes_[index];
+    float sum = 0;
+    if (!node.is_lowest())
+        for (Index place = width * index; place < width * index + node.count; ++place)
+        {
+            const Index below = node.content[place % width];
+            before += box_at(place).half_area();
+            sum += refit_below(below, before);
+            node.boxes.set(place % width, nodes_[below].boxes.merged());
+            sum += box_at(place).half_area();
+        }
+    return sum;
+}
+
 bool EnvelopeTree::consistent() const
 {
     return empty() || (nodes_[root_].parent == none && consistent(root_, depth()));

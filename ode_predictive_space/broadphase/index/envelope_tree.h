@@ -30,6 +30,11 @@ public:
 
     void build(std::vector<SweptProxy> leaves);
 
+    /// Replaces the boxes of all proxies and keeps the structure, which suits proxies that have moved with their neighbours.
+    /// @param leaves one for each proxy in the tree.
+    /// @return false if the tree has become much worse and should be built.
+    bool refit(const std::vector<SweptProxy> &leaves);
+
     bool empty() const { return root_ == none; }
 
     /// Calls visit(proxy) for each proxy whose box overlaps the probe.
@@ -106,6 +111,7 @@ private:
     void fill(Index node, const Entry *begin, const Entry *end);
     void take_out(Index place);
     void refit_upwards(Index node);
+    float refit_below(Index node, float &before);
     Index built(SweptProxy *begin, SweptProxy *end, std::ptrdiff_t room_below);
     bool consistent(Index node, int depth) const;
 
