@@ -44,6 +44,9 @@ constexpr float slack = 0.01f;
 /// Maximum spread: deviation per distance travelled. Envelopes use it, as narrow ones break; forecasts adapt theirs. (heap 500)
 constexpr float most_spread = 0.1f;
 
+/// Ticks in which a review has read the envelopes of all objects. (far: twice as many are a hundred at most; shelves 10,000: 32 cost 4 %)
+constexpr std::size_t ticks_per_review = 48;
+
 /// Distance from the origin to the middle of all envelopes beyond which the origin moves, in mean sums of an envelope's sides:
 /// rounding is then some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
 constexpr float far_in_sizes = 1e4f;
@@ -83,9 +86,8 @@ constexpr double least_boxes_per_slab = 1000;
 
 // --- Near ---
 
-/// Ticks in which rare work is done once: resting pairs are found, a pair that had no gap is checked again, and a review reads the
-/// envelopes of all objects. (gas 100,000, stack 1,000; far)
-constexpr unsigned ticks_of_a_round = 32;
+/// Reports between searches for pairs that may rest; maximum between gap checks of a pair. (gas 100,000, stack 1,000)
+constexpr unsigned reports_per_rest = 32;
 
 /// Costs of a gap check without its search, and of the search per unit of Gap::work. The unit is what an omitted report saves at
 /// least: some 1,700 instructions of dCollide(). (hills 1,300, shelves and room 2,500, drones 5,000; meshes beside meshes 17,000)

@@ -90,7 +90,7 @@ TEST_F(Resting, PairsThatMoveAreTestedOn)
 // Only some reports check which pairs may rest. A move before any of the reports in between must be seen.
 TEST_F(Resting, PairsThatMoveOnceBetweenTwoLooksAreTestedOn)
 {
-    constexpr auto period = static_cast<int>(tuning::ticks_of_a_round);
+    constexpr auto period = static_cast<int>(tuning::reports_per_rest);
     for (int phase = 0; phase < period; ++phase)
     {
         const std::uint64_t woken = world.broadphase.woken_pairs();
@@ -107,7 +107,7 @@ TEST_F(Resting, PairsThatMoveOnceBetweenTwoLooksAreTestedOn)
 
 TEST_F(Resting, PairsRestAfterAtMostTwoLooks)
 {
-    constexpr auto period = static_cast<int>(tuning::ticks_of_a_round);
+    constexpr auto period = static_cast<int>(tuning::reports_per_rest);
     for (int phase = 0; phase < period; ++phase)
     {
         run(long_enough / period * period + 1);

@@ -154,7 +154,7 @@ private:
     {
         // The first two are early, because most objects that never move exist from the beginning.
         ++reports_;
-        return reports_ == 2 || reports_ == 8 || reports_ % tuning::ticks_of_a_round == 0;
+        return reports_ == 2 || reports_ == 8 || reports_ % tuning::reports_per_rest == 0;
     }
     void let_rest(const OverlapTest &test);
     void let_rest_by_shape(const OverlapTest &test);

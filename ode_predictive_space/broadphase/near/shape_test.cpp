@@ -43,7 +43,7 @@ bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
 
 void wait_longer(GapCache &cache)
 {
-    cache.last_pause = static_cast<std::uint8_t>(std::clamp(2u * cache.last_pause, 2u, tuning::ticks_of_a_round));
+    cache.last_pause = static_cast<std::uint8_t>(std::clamp(2u * cache.last_pause, 2u, tuning::reports_per_rest));
     cache.pause = static_cast<std::uint8_t>(cache.last_pause - 1);
 }
 

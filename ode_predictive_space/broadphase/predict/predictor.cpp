@@ -271,7 +271,7 @@ std::optional<Vector3> Predictor::Reviewed::far_middle() const
 std::optional<Vector3> Predictor::review(const ProxyStore &proxies)
 {
     const std::size_t size = proxies.size();
-    const std::size_t some = is_reviewed_ ? size / tuning::ticks_of_a_round + 1 : size;
+    const std::size_t some = is_reviewed_ ? size / tuning::ticks_per_review + 1 : size;
     const std::size_t end = std::min(size, reviewed_.end + some);
     for (; reviewed_.end < end; ++reviewed_.end)
         if (const auto id = static_cast<ProxyId>(reviewed_.end); proxies.members().contains(id))
