@@ -200,7 +200,7 @@ def draw_proximity(folder):
     axes.text(99.3, 89, "$t_{final}$", ha="right", fontsize=11)
     axes.axvline(100, color=BLACK, lw=1, ls=":")
     axes.set(xlim=(0, 100.4), ylim=(-20, 95), yticks=[], ylabel="place along a line")
-    axes.set_xlabel("ticks from the question on", labelpad=2)
+    axes.set_xlabel("ticks from the query on", labelpad=2)
     axes.set_xticks([0, 20, 40, 60, 80, 100])
     save(figure, folder, "proximity.svg")
 
@@ -334,8 +334,8 @@ def draw_servo(folder):
             arrow(axes, (x + 80, y), (x + 80, below + 30))
     between = (
         (rows[0] + 15, "impulses: object, point, N s", "ring: all of them", False),
-        (rows[2] + 15, "tool, proxy, what was felt", "triple buffer: the latest", False),
-        (rows[4] + 15, "geoms around the probe, planes, forecast", "triple buffer: the latest", True),
+        (rows[2] + 15, "tool, proxy, rendered touches", "triple buffer: the latest", False),
+        (rows[4] + 15, "geoms around the probe, forecast", "triple buffer: the latest", True),
     )
     for y, what, how, to_the_right in between:
         ends = ((190, y), (495, y))

@@ -260,7 +260,7 @@ ODE_PREDICTIVE_API int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dR
 
 /**
  * Set the bounds of the horizon, the number of ticks for which a path is followed. Between them, it adapts to each geom: an
- * envelope covers 0.02 to 4 sizes of the geom along its path, a time of proximity looks nine sizes ahead. No envelope expires
+ * envelope covers 0.01 to 4 sizes of the geom along its path, a time of proximity looks nine sizes ahead. No envelope expires
  * at its horizon.
  *
  * @param space a predictive space; all its geoms get new envelopes.

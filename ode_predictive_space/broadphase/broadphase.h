@@ -124,7 +124,7 @@ public:
     }
 
     /// The predicted motion of an object. It is known after three sampled ticks; sampling begins with the first forecast query.
-    /// @param collisions number of collisions so far; an object without a move for tuning::still_collisions of them is still.
+    /// @param collisions number of collisions so far; an object without a move for tuning::calls_of_a_habit of them is still.
     Forecast forecast(Scene &scene, ProxyId id, std::uint64_t collisions);
 
     /// The earliest time at which two objects may be near, in ticks from now; none if they stay apart in both forecasts.

@@ -47,8 +47,8 @@ constexpr float most_spread = 0.1f;
 /// Ticks in which a review has read the envelopes of all objects. (far: twice as many are a hundred at most; shelves 10,000: 32 cost 4 %)
 constexpr std::size_t ticks_per_review = 48;
 
-/// Distance from the origin to the middle of all envelopes beyond which the origin moves, in mean sums of an envelope's sides:
-/// rounding is then some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
+/// Distance from the origin to the middle of all envelopes, in mean sums of an envelope's sides, beyond which the origin moves if
+/// the middle is also farther away than half the extent of all: rounding is then some hundredths of an object's size. (1,000 spheres at 1e4 to 5e6 m)
 constexpr float far_in_sizes = 1e4f;
 
 /// Calls in a row that show a habit of the program. After so many queries after moves, without a tick, each further one counts as
@@ -75,7 +75,8 @@ constexpr int levels_nearby = 4;
 
 // --- Sort and sweep ---
 
-/// Maximum number of boxes of which each is compared with each. (teleport 30; conveyor: 16 cost 5 %)
+/// Maximum number of boxes of which each is compared with each; more boxes are sampled by as many, for the layout.
+/// (teleport 30; conveyor: 16 cost 5 %)
 constexpr std::size_t few_boxes = 40;
 
 /// Standard deviations from the mean of an axis to the ends of its grid.

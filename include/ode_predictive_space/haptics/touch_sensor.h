@@ -142,7 +142,9 @@ public:
 
     /// The tracker of the sensor's sphere, for loops of two threads; 0 for other geoms.
     ContactTracker *tracker();
-    /// For loops of two threads, after touches(): copies the near geoms, as the servo needs them.
+
+    /// For loops of two threads, after touches(): copies the geoms near the sensor's sphere, or those in contact with a geom of
+    /// the program.
     void hand_over(std::vector<NearbyGeom> &geoms) const;
 
     /// The radius of the sensor's sphere, m.

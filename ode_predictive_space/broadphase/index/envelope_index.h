@@ -56,7 +56,7 @@ private:
     EnvelopeTree tree_;
     BoxList list_;
     bool is_small_ = true;  // the list holds all envelopes
-    bool is_stale_ = false; // some new envelopes are not stored yet
+    bool is_stale_ = false; // it must be refitted or built before walk()
     SortAndSweep sort_and_sweep_;
     std::vector<SweptProxy> boxes_; // scratch
     std::vector<BoxProbe> probes_;  // scratch

@@ -106,7 +106,7 @@ int SortAndSweep::Layout::bits_of_slabs(const Items &items) const
     const double part = std::sqrt(3) / tuning::deviations_per_half;
     const double least = std::max(width * across.places_per_unit, tuning::least_boxes_per_slab * part * places_beside /
                                                                       static_cast<double>(items.size()));
-    int bits = 0;
+    int bits = 1; // keys stay below last_key
     while (bits < bits_beside && (1 << bits) < least)
         ++bits;
     return bits;
