@@ -37,7 +37,7 @@ TEST(OdeDemoOptions, WhatMakesNoSenseIsSaid)
         {"-space", "-space takes"},
         {"-probe spoon", "\"spoon\""},
         {"-probe replay:/there/is/none", "/there/is/none"},
-        {"-probe", "-probe takes"},
+        {"-probe", "-probe needs a value"},
         {"-headless 0", "-headless takes"},
         {"-objects none", "-objects takes"},
     };
