@@ -134,7 +134,7 @@ TEST_F(HapticDemoWindow, SaysWhatAPictureCannotBeWrittenTo)
 {
     const Outcome outcome = run(HAPTIC_DEMO, "--fast --objects 5 --at 0.01 --screenshot /no/such/folder/a.png");
     EXPECT_EQ(outcome.status, 2) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "cannot write /no/such/folder/a.png")) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "/no/such/folder/a.png cannot be written")) << outcome.output;
 }
 } // namespace
 } // namespace ode_predictive_space::window
