@@ -71,8 +71,7 @@ const char *explanation_of(SafetyAction action)
     static constexpr const char *explanations[safety_action_count] = {
         "No force, as the law or the device gave a number that is not finite.",
         "No force, as the hand moved faster than the limit; the device may be throwing it.",
-        "No force yet, as the request was never small: the probe is inside of something, or its tool body is "
-        "elsewhere.",
+        "No force yet, as the request was never small: the probe is inside of something, or far from its tool body.",
         "No force, as the device's maximum force is 0 or unknown.",
         "Less force than requested, as it grows slowly after the start or a fault.",
         "Less force than requested, as it was above the device's maximum.",
