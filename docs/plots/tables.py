@@ -100,20 +100,6 @@ def contact(records):
     return rows
 
 
-def instructions(records, before):
-    key = lambda record: (record["scene"], record["n"], record["space"])
-    earlier = {key(record): record for record in before}
-    rows = []
-    for record in records:
-        if record["space"] == "predictive-box" and key(record) in earlier:
-            old = earlier[key(record)]
-            cells = {"scene": record["scene"], "objects": f"{record['n']:,}"}
-            for part in ("collide", "notices", "sum"):
-                cells |= {f"{part} before": old[part], f"{part} now": record[part]}
-            rows.append(cells | {"now / before": f"{record['sum'] / old['sum']:.3f}"})
-    return rows
-
-
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         records = json.load(file)

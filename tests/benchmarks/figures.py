@@ -19,7 +19,6 @@ from worlds_table import ODE, TOP, version
 RESULTS = TOP / "docs" / "results"
 STEPPED = ["gas_stepped", "game_stepped", "pile", "settling:.*", "stack", "terrain_stepped", "teleport_stepped", "dart"]
 CONTACT = ["mix", "classes_stepped", "game_stepped", "pile", "stack", "terrain_stepped", "gas_stepped", "dart", "room", "hills", "drones"]
-SCENES = ["gas", "game", "pile", "stack", "terrain", "still", "teleport", "explosion", "churn", "mix"]
 LIFE_NAMES = {"gas": "many", "spaces_in_spaces": "nested", "spaces_side_by_side": "beside", "planes_all": "planes-all",
               "planes_apart": "planes-apart"}
 
@@ -124,12 +123,6 @@ def worlds_times(build):
                    "ratio of whole ticks": best_of_ode(ticks) / ticks["predictive-box"]["real_time"]}
 
 
-def means(build):
-    spaces_of_page = ["predictive-box", "predictive-sphere", *ODE, "bullet-dbvt", "bullet-sap", "sweep", "floor-boxes", "floor"]
-    for (_, world, n), spaces in clocked(build, "collide", SCENES, 3).items():
-        yield {"scene": world, "n": n, **{name: spaces[name]["real_time"] if name in spaces else "" for name in spaces_of_page}}
-
-
 def small_program(build, name):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.json"
@@ -151,17 +144,6 @@ def haptic_loop(build):
                    "median": record["collide_and_force_p50_us"], "p99.9": record["collide_and_force_p999_us"],
                    "tick's computing": record["servo_mean_us"], "ticks in time": f"{100 * record['share_in_time']:.1f} %",
                    "real-time factor": record["real_time_factor"]}
-
-
-def haptic_servo(build):
-    for record in small_program(build, "bench_servo"):
-        if record["table"] == "servo" and record["decoupled"]:
-            yield {"space": record["space"], "objects": record["n"], "servo": record["servo_mean_us"], "median": record["servo_p50_us"],
-                   "p99.9": record["servo_p999_us"], "step's collide": record["collide_and_force_mean_us"]}
-
-
-def memory(build):
-    return small_program(build, "bench_memory")
 
 
 def counted(build, *options):
@@ -191,11 +173,8 @@ FIGURES = {
     "contact.json": contact,
     "worlds_times.csv": worlds_times,
     "limits.json": limits,
-    "means.csv": means,
     "table1.csv": table1,
     "haptic_loop.csv": haptic_loop,
-    "haptic_servo.csv": haptic_servo,
-    "memory.json": memory,
 }
 
 

@@ -52,29 +52,14 @@ COLUMNS = {
         "pairs with contacts": "touching",
     },
     "worlds_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
-    "worlds_instructions_former.json": {"now": "predictive-box", "best ODE / ours": "ratio"},
-    "worlds_instructions_before.json": {"before": "predictive-box"},
     "worlds_times.csv": {"dSpaceCollide": "ratio", "whole tick": "ratio of whole ticks"},
     "scenes_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
-    "scenes_instructions_former.json": {"now": "predictive-box", "best ODE / ours": "ratio"},
-    "scenes_instructions_before.json": {"before": "predictive-box"},
-    "instructions_without_hardening.json": {
-        "without": "sum before",
-        "with": "sum now",
-        "with / without": "now / before",
-    },
 }
 # Columns that name a row of a CSV file.
 KEYS = {
     "clients.csv": ["program", "space"],
     "haptic_loop.csv": ["space"],
-    "haptic_servo.csv": ["space", "objects"],
-    "means.csv": ["scene", "n"],
-    "ode_without_assertions.csv": ["what"],
-    "requirements.csv": ["what"],
     "table1.csv": ["block", "objects", "other"],
-    "ticks.csv": ["scene", "n"],
-    "whole_ticks.csv": ["scene", "n", "space"],
     "worlds_by_shape.csv": ["scene", "n"],
     "worlds_times.csv": ["scene", "n"],
 }
@@ -127,18 +112,10 @@ class Data:
                         "bytes": record["bytes_per_object"],
                     }
             return
-        if re.fullmatch(r"(worlds|scenes)_instructions(_before|_former)?\.json", name):
+        if re.fullmatch(r"(worlds|scenes)_instructions\.json", name):
             yield from worlds(records)
             return
-        if name == "stepped.json":
-            rows = self.tables.stepped(records)
-        elif name == "contact.json":
-            rows = self.tables.contact(records)
-            for record in records:
-                if "limit" in record:
-                    yield key_of(record["what"]), {"measured": record["value"], "asked": record["limit"]}
-        else:
-            rows = self.tables.instructions(self.json("instructions.json"), records)
+        rows = (self.tables.stepped if name == "stepped.json" else self.tables.contact)(records)
         for row in rows:
             yield key_of(f"{row.pop('scene')} {row.pop('objects')}"), row
 
@@ -147,11 +124,6 @@ class Data:
             for row in csv.DictReader(file):
                 key = key_of(" ".join(row.pop(column) for column in KEYS[name]))
                 values = {key_of(column): as_number(cell) for column, cell in row.items()}
-                if name == "means.csv":
-                    best = min((space for space in ODE if values[space]), key=values.get)
-                    values |= {"predictive": values["predictive-box"], "best ODE space": (values[best], best)}
-                    values["ratio"] = values[best] / values["predictive"]
-                    values["inverse ratio"] = values["predictive"] / values[best]
                 yield key, values
 
 

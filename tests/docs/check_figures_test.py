@@ -1,10 +1,12 @@
-"""The mistakes that check_figures.py notices, with the data of the project.
+"""The mistakes that check_figures.py notices, with data made here.
 
 Usage: check_figures_test.py FOLDER, the top folder of the project.
 """
 
+import json
 import pathlib
 import sys
+import tempfile
 import unittest
 
 from check_figures import Data, is_rounded, mistakes_of
@@ -15,13 +17,25 @@ TABLE = """| scene | best ODE space | predictive | collide | whole tick |
 | some objects | 96.1 µs (quadtree) | 2.38 µs | 40 × | 1.9 × |
 """
 GAS = "stepped.json; rows: gas 1,000"
+TIMES = {"predictive-box": 2.38, "quadtree": 96.14, "sap": 98}
+STEPPED = [{"scene": "gas", "n": 1000, "begin_s": None, "end_s": None, "space": space, "mean_us": time, "median_us": time,
+            "p99_us": time, "p999_us": time, "best_ode_ratio": 96.14 / time, "best_ode_ratio_of_wholes": 1.91}
+           for space, time in TIMES.items()]
 TEXT = "Ten thousand of them take 9.2 µs per tick; the quadtree takes 5.5 ms, in `one_2.5` run of 3."
-STILL = "means.csv; rows: still 10,000 @ predictive | still 10,000 @ quadtree; besides: 3"
+STILL = "haptic_loop.csv; rows: still @ predictive | still @ quadtree; besides: 3"
+LOOP = "space,predictive,quadtree,hash\nstill,9.2,5534,"
 
 
 class Figures(unittest.TestCase):
     def setUp(self):
-        self.data = Data(TOP)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        docs = pathlib.Path(folder.name) / "docs"
+        (docs / "results").mkdir(parents=True)
+        (docs / "plots").symlink_to(TOP.resolve() / "docs" / "plots")
+        (docs / "results" / "stepped.json").write_text(json.dumps(STEPPED))
+        (docs / "results" / "haptic_loop.csv").write_text(LOOP)
+        self.data = Data(docs.parent)
 
     def mistakes(self, block, comment):
         return list(mistakes_of(block, comment, self.data))
@@ -43,8 +57,8 @@ class Figures(unittest.TestCase):
     def test_a_text_has_the_named_figures_and_no_others(self):
         self.assertEqual(len(self.mistakes(TEXT.replace("9.2", "9.1"), STILL)), 2)
         self.assertEqual(len(self.mistakes(TEXT, STILL.replace("; besides: 3", ""))), 1)
-        self.assertEqual(len(self.mistakes(TEXT, STILL.replace(" | ", " | still 10,000 @ hash | "))), 1)
-        self.assertEqual(len(self.mistakes(TEXT, "means.csv; besides: 9.2, 5.5, 3")), 1)
+        self.assertEqual(len(self.mistakes(TEXT, STILL.replace(" | ", " | still @ simple | "))), 1)
+        self.assertEqual(len(self.mistakes(TEXT, "haptic_loop.csv; besides: 9.2, 5.5, 3")), 1)
 
     def test_rounding_is_that_of_the_printed_digits(self):
         for printed, value, right in (
