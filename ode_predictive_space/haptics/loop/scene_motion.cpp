@@ -139,8 +139,7 @@ void SceneMotion::find_touched(MotionForecast &forecast)
     touched_.clear();
     forecast.count = 0;
     std::vector<Touch> touches = sensor_.touches();
-    std::partial_sort(touches.begin(), touches.end(), touches.end(),
-                      [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
+    std::stable_sort(touches.begin(), touches.end(), [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
     for (const Touch &touch : touches)
     {
         if (touched_.size() == MotionForecast::most_touches)
