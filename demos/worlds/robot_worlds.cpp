@@ -47,10 +47,8 @@ void add_wheel(Objects &objects, dSpaceID space, const VehicleSize &size, const 
     drive(hinge, speed, size.torque);
 }
 
-/// Make a vehicle whose wheels stand on the height of `place`, and which drives at random speeds.
-///
-/// @param space of its geoms
-/// @param heading radians about the vertical
+/// Makes a vehicle whose wheels stand on the height of `place`, and which drives at random speeds.
+/// @param space of its geoms. @param heading radians about the vertical.
 void add_vehicle(Objects &objects, dSpaceID space, const VehicleSize &size, const Vector3 &place, double heading,
                  haptics::Random &random)
 {
@@ -143,7 +141,6 @@ double half_side_of_city(int vehicles)
     return 6 * std::sqrt(vehicles) + 10;
 }
 
-/// Vehicles that drive over hills among trees.
 class CityWorld : private Heightfield, public ProgramWorld
 {
 public:

@@ -37,7 +37,6 @@ double half_side_of_floor(int boxes)
     return 0.5 * cell * structures_per_side + corridor;
 }
 
-/// The middle of a structure on the floor of a room of this size.
 Vector3 place_of_structure(int number, double half_side)
 {
     const int side = static_cast<int>(std::lround(2 * (half_side - corridor) / cell));
