@@ -1,5 +1,5 @@
-// Vehicles and robots, a chassis and four wheels with motors each: shelves, city, nested; spaces without robots; and robots that
-// look around with rays.
+// Vehicles and robots, a chassis and four wheels with motors each: shelves, city, nested; spaces without robots; and robots
+// that look around with rays.
 
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
@@ -229,8 +229,8 @@ Bounds lidar_bounds(int boxes)
     return square(std::sqrt(boxes) + 1, 2);
 }
 
-/// Robots that look around with rays among still boxes. Each ray asks by itself, or the rays of a robot have a space of their own
-/// in the space of the boxes.
+/// Robots that look around with rays among still boxes. Each ray asks by itself, or the rays of a robot have a space of their
+/// own in the space of the boxes.
 class LidarWorld : public ProgramWorld
 {
 public:

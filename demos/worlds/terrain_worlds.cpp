@@ -152,8 +152,8 @@ protected:
     Eigen::AlignedBox3d square_;
 };
 
-/// All move at up to 5 mm per tick and turn back at the edge of the square. The motion does not depend on contacts, so it can go
-/// on for any time.
+/// All move at up to 5 mm per tick and turn back at the edge of the square. The motion does not depend on contacts, so it can
+/// go on for any time.
 class TerrainWorld : public OnTerrain
 {
 public:
