@@ -16,7 +16,6 @@ constexpr int ticks = 2000;
 constexpr double room = 10;          // metres along each side
 constexpr double tick_length = 1e-3; // seconds
 
-/// The pairs that a space has reported over all ticks.
 struct Reported
 {
     std::uint64_t pairs = 0;

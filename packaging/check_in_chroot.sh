@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Checks the packages with lintian, and tries them in a fresh Debian: installs them, builds programs with them, runs the
-# launcher, removes them, and looks for remaining files.
+# Checks the packages with lintian; in a fresh Debian, installs, uses and removes them, and looks for remaining files.
 # Usage: check_in_chroot.sh <folder of the packages> <folder of the sources> <scratch folder>
 
 set -euo pipefail
@@ -18,7 +17,6 @@ list_files() {
         -path ./var/log -o -path ./var/lib/apt \) -prune -o -print | sort)
 }
 
-# Lists the packages on which a package of a program would depend, by dpkg-shlibdeps.
 list_dependencies() {
     say 'The dependencies that a package with the programs would have'
     mkdir -p "$chroot/tmp/program/debian"
@@ -30,7 +28,6 @@ list_dependencies() {
     grep -q 'libode-predictive-space-haptics0.1 (>= 0\.1\.0)' "$chroot/tmp/depends"
 }
 
-# The copyright of each package names the licence that is in the sources.
 check_licences() {
     local package
     # shellcheck disable=SC2016 # dpkg fills it in

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Checks that the oldest supported tools suffice: GCC 11, Eigen 3.3 and CMake 3.22. An older CMake of Debian stands in for 3.22,
-# which understands all that the older one does; the copied sources require the older version. The system is Debian 12.
+# Checks the oldest supported tools, GCC 11, Eigen 3.3 and CMake 3.22, in Debian 12 with an older CMake in place of 3.22.
 # Usage: check_oldest.sh <folder of the sources> <scratch folder>
 
 set -euo pipefail

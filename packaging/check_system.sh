@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Checks in a fresh Debian of some release that the project builds with its GCC, its newest Clang, its ODE and its Eigen, that
-# programs and the tests of the contract run, and that the release's lintian accepts the packages.
+# Builds in a fresh Debian of some release by GCC and the newest Clang, runs the tests of the contract, and checks the packages.
 # Usage: check_system.sh <suite> <folder of the sources> <scratch folder>
 
 set -euo pipefail

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Builds and tests the project in fresh Debians, one after another: bookworm, trixie, testing, and oldest, which has the oldest
-# tools.
+# Builds and tests the project in fresh Debians: bookworm, trixie, testing, and oldest, which has the oldest tools.
 # Usage: check_systems.sh <folder of the sources> <scratch folder> [system...]
 
 set -euo pipefail

@@ -1,6 +1,5 @@
 # A fresh Debian in a folder, in which the project is tried. It needs root, mmdebstrap, and /proc as in a usual system.
-# Usage, in a script:
-# chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
+# Usage: chroot=FOLDER; . chroot.sh; make_chroot SUITE; copy_sources FOLDER; install_in_chroot PACKAGE...; inside COMMAND
 # shellcheck shell=bash disable=SC2154 # chroot is the caller's
 
 ((EUID == 0)) || {
@@ -27,8 +26,7 @@ inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.U
 
 install_in_chroot() { inside apt-get -q -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "$@" >/dev/null; }
 
-# Options for mmdebstrap. If this system's apt accepts an archive that is out of date, as a snapshot is after some days, that of
-# the chroot accepts it, too. Signatures are always checked.
+# The chroot accepts an archive out of date, as a snapshot is after some days, if this system does. Signatures are checked.
 apt_options() {
     local check=true
     eval "$(apt-config shell check Acquire::Check-Valid-Until)" # nothing unless it is set
@@ -48,11 +46,9 @@ make_chroot() {
 # shellcheck source=source_files.sh
 . "$(dirname "${BASH_SOURCE[0]}")/source_files.sh"
 
-# Copies the project's files from the folder $1 to /tmp/sources.
 copy_sources() { copy_source_files "$1" "$chroot/tmp/sources"; }
 
-# build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: builds the libraries and the launcher, and
-# installs them into a prefix beside the build. Warnings are errors, also CMake's. Many files are compiled as one, to save time.
+# build_with <folder in /tmp> <C compiler> <C++ compiler> [options of cmake]: installs into a prefix beside the build.
 build_with() {
     local said=$chroot/tmp/configuring
     say "Building the sources by $3 with libode-dev alone"
@@ -74,7 +70,6 @@ build_consumers() {
     inside sh -c 'cd "$0" && ctest --output-on-failure' "/tmp/$1"
 }
 
-# test_contract [options of cmake]: runs the tests of the promises to programs.
 test_contract() {
     say 'Building and running the tests of the contract'
     install_in_chroot libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Builds Debian's source and binary packages from the project's files, with packaging/debian in the place where Debian expects
-# it. The version is that of CMakeLists.txt. DEBFULLNAME and DEBEMAIL name the maintainer of the packages.
+# Builds Debian's source and binary packages in the version of CMakeLists.txt. DEBFULLNAME and DEBEMAIL name their maintainer.
 # Usage: make_debian_packages.sh <folder of the sources> <folder for the packages, which is emptied>
 
 set -euo pipefail

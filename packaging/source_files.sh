@@ -1,8 +1,7 @@
 # Functions that list and copy the project's files, for scripts that include this one.
 # shellcheck shell=bash
 
-# source_files <folder>: prints the files that git tracks or, in an unpacked archive, all but the built ones, each followed by a
-# zero byte.
+# source_files <folder>: prints the files that git tracks or, in an unpacked archive, all but built ones, each with a final 0.
 source_files() {
     if [[ -e $1/.git ]]; then
         git -C "$1" ls-files -z
@@ -11,7 +10,6 @@ source_files() {
     fi
 }
 
-# copy_source_files <from> <to>
 copy_source_files() {
     mkdir -p "$2"
     source_files "$1" | tar -C "$1" --null --files-from=- --create | tar -C "$2" --extract

@@ -1,5 +1,3 @@
-// The force law of the demo, whose stiffness can be changed while it runs.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ADJUSTABLE_LAW_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ADJUSTABLE_LAW_H
 

@@ -30,7 +30,6 @@ std::vector<SpaceKind> kinds_of(const std::vector<std::string> &names)
     return kinds;
 }
 
-/// The predictive space by boxes and by shapes, and ODE's own.
 std::vector<SpaceKind> usual_kinds()
 {
     std::vector<SpaceKind> kinds = all_spaces();

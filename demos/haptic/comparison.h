@@ -1,5 +1,3 @@
-// Compares the cost of several spaces, alternating, in the scene mix.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_COMPARISON_H
 
@@ -7,9 +5,7 @@
 
 namespace ode_predictive_space::demo
 {
-/// Compare, print, and write the results to the requested file. ODE must be initialised.
-///
-/// @return whether all spaces reported the same pairs.
+/// Prints and writes the costs of spaces, alternating. ODE must be initialised. @return whether all reported the same pairs.
 bool compare_spaces(const Options &options);
 } // namespace ode_predictive_space::demo
 

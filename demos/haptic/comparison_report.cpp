@@ -40,7 +40,6 @@ double share_of_late_ticks(const WorldRun &run)
     return static_cast<double>(late) / static_cast<double>(run.tick_times().size());
 }
 
-/// The run in the predictive space; null when it was not asked for.
 const WorldRun *predictive_run(const WorldRuns &runs)
 {
     const auto found = std::find_if(runs.begin(), runs.end(),
@@ -159,7 +158,6 @@ std::vector<const WorldRun *> exact_runs(const WorldRuns &runs)
     return exact;
 }
 
-/// Compares the spaces that report every pair whose boxes overlap.
 void print_agreement(std::ostream &out, const WorldRuns &runs)
 {
     const std::vector<const WorldRun *> exact = exact_runs(runs);
@@ -180,7 +178,6 @@ void print_agreement(std::ostream &out, const WorldRuns &runs)
     out << grouped(first.pairs()) << " pairs in all (hash " << hexadecimal(first.pair_hash()) << ").\n";
 }
 
-/// Compares the spaces that leave out pairs that do not touch.
 void print_contacts_of_inexact(std::ostream &out, const WorldRuns &runs)
 {
     const std::vector<const WorldRun *> exact = exact_runs(runs);

@@ -1,5 +1,3 @@
-// The device of the demo: one of the library's, with a clutch on the keyboard.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_DEMO_DEVICE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_DEMO_DEVICE_H
 

@@ -1,5 +1,3 @@
-// Compares the predicted encounters of the probe with its contacts.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ENCOUNTER_LOG_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ENCOUNTER_LOG_H
 
@@ -9,7 +7,6 @@
 
 namespace ode_predictive_space::demo
 {
-/// A contact that begins.
 struct LoggedContact
 {
     std::uintptr_t object = 0; ///< as in Touch
@@ -19,7 +16,6 @@ struct LoggedContact
     double forecast = 0;       ///< s; last predicted time of proximity before it was near
 };
 
-/// Statistics of the contacts so far.
 struct EncounterSummary
 {
     std::size_t contacts = 0;  ///< first touches of an object
@@ -35,22 +31,18 @@ struct EncounterSummary
 
 /// Compares the times of proximity that a predictive space predicts for the probe with the times of its contacts. The space
 /// predicts for bounding boxes, hence early; with dPredictiveProximityShape it predicts for shapes. It must never be late.
-///
-/// The space lists only objects in the probe's own space, not those in nested spaces. Not for a separate servo thread, because
-/// add() allocates.
+/// Objects in nested spaces are not listed. Not for a separate servo thread, because add() allocates.
 class EncounterLog
 {
 public:
     /// Call once per tick, between the collision and the next one. It asks the probe for its encounters, which costs time.
     void add(double time, haptics::HapticProbe &probe);
 
-    /// As above, with lists that the program has made.
-    ///
-    /// @param time s; later than in the call before.
+    /// As above, with lists that the program has made. @param time s; later than in the call before.
     void add(double time, const std::vector<haptics::Encounter> &encounters,
              const std::vector<haptics::Touch> &touches);
 
-    /// All contacts so far, in the order in which they began.
+    /// In the order in which they began.
     const std::vector<LoggedContact> &contacts() const { return contacts_; }
     EncounterSummary summary() const;
 

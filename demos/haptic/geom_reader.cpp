@@ -67,7 +67,6 @@ std::vector<Vector3> lattice_on(dGeomID heightfield)
     return lattice;
 }
 
-/// Two triangles for each cell of the lattice.
 Triangles triangles_between(const std::vector<Vector3> &lattice)
 {
     constexpr int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};

@@ -1,5 +1,3 @@
-// Converts ODE's geoms into drawn ones.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_GEOM_READER_H
 
@@ -12,24 +10,19 @@
 
 namespace ode_predictive_space::demo
 {
-/// The id of a geom in a View.
 inline std::uintptr_t id_of(dGeomID geom)
 {
     return reinterpret_cast<std::uintptr_t>(geom);
 }
 
-/// Reads the geoms of a scene a few at a time, so that a loop at 1 kHz has little work in each tick. Used by the thread that
-/// steps the world.
+/// Reads a few geoms at a time, so that a loop at 1 kHz has little work in each tick. For the thread that steps the world.
 class GeomReader
 {
 public:
     /// @param room geoms larger than half of it are walls.
     GeomReader(const worlds::World &scene, const Eigen::AlignedBox3d &room);
 
-    /// Read the next geoms.
-    ///
-    /// @param most the largest number of geoms to read.
-    /// @param geoms receives them; it is cleared when a new round begins.
+    /// @param most the largest number of geoms to read. @param geoms receives them; it is cleared when a new round begins.
     /// @return whether all geoms have been read: geoms is complete, and the next call starts a new round.
     bool read(std::size_t most, std::vector<window::DrawnGeom> &geoms);
 

@@ -54,13 +54,11 @@ Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &ro
         .value_or(wish);
 }
 
-/// Places the workspace so that the device's present position is a free start for the probe, and the whole room is within
-/// reach.
+/// The device's present position becomes a free start for the probe, and the whole room is within reach.
 haptics::WorkspacePlacement HapticRun::place_hand()
 {
     const Vector3 reach = (room().sizes() / 2 - Vector3::Constant(probe_radius)).cwiseMax(probe_radius);
-    // The person looks along the scene's -x, as the window does: x, to the right, is the scene's y; y, upwards, its z; and z,
-    // towards the person, its x.
+    // The person looks along the scene's -x, as in the window: the device's x (right), y (up) and z (back) are its y, z and x.
     const haptics::Quaternion axes(0.5, 0.5, 0.5, 0.5);
     const Eigen::AlignedBox3d within_reach(room().center() - reach, room().center() + reach);
     const Eigen::AlignedBox3d workspace = device_.capabilities().workspace;

@@ -1,5 +1,3 @@
-// One run of a probe in one scene and one space.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
 
@@ -17,7 +15,6 @@ namespace ode_predictive_space::demo
 {
 using haptics::Vector3;
 
-/// Series over a whole run.
 struct RunSeries
 {
     double step_seconds = 0;            ///< simulated, of a value in collide and advance
@@ -28,7 +25,6 @@ struct RunSeries
     recording::BoundedSeries period{};  ///< s
 };
 
-/// The result of a run.
 struct RunResult
 {
     haptics::LoopReport loop;
@@ -59,8 +55,7 @@ struct RunControl
 class HapticRun
 {
 public:
-    /// m; the radius of the objects.
-    static constexpr double probe_radius = worlds::object_radius;
+    static constexpr double probe_radius = worlds::object_radius; ///< m
 
     /// @throws exceptions derived from std::exception when a part cannot be created.
     HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device, RunControl &control,
@@ -69,8 +64,6 @@ public:
     HapticRun(const HapticRun &) = delete;
     HapticRun &operator=(const HapticRun &) = delete;
 
-    /// Run to the end.
-    ///
     /// @param after_step called after each step of the scene; may be empty.
     RunResult run(const std::function<void()> &after_step = {});
 

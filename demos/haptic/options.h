@@ -1,5 +1,3 @@
-// The options of predictive_haptic_demo.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_OPTIONS_H
 
@@ -37,8 +35,6 @@ struct Options
     bool wants_one_run = false; ///< an option was given that only a run of one probe in one space has
 };
 
-/// Reads the command line of the program.
-///
 /// @return the exit status when the program has to end without a run: it has printed its help, or what is wrong.
 /// @throws std::invalid_argument when options contradict each other.
 std::optional<int> parse_command_line(int argc, char **argv, Options &options);

@@ -1,5 +1,3 @@
-// The geoms that the probe is near to, touches, and will meet.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_CONTACTS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_CONTACTS_H
 
@@ -15,9 +13,7 @@ class ProbeContacts
 public:
     void clear() { near_.clear(); }
 
-    /// To be called for each pair that the space reports.
-    ///
-    /// @return whether the probe is one of the two.
+    /// To be called for each pair that the space reports. @return whether the probe is one of the two.
     bool take(haptics::HapticProbe &probe, dGeomID first, dGeomID second)
     {
         const bool is_of_probe = probe.touch(first, second);

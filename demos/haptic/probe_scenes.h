@@ -1,5 +1,3 @@
-// The scenes that are fit for a probe, and a running one.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_SCENES_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_PROBE_SCENES_H
 
@@ -10,9 +8,7 @@ namespace ode_predictive_space::demo
 {
 const std::vector<std::string> &scenes_for_probes();
 
-/// Makes the scene without the probe that it may have in other programs.
-///
-/// @param spec its name is one of scenes_for_probes().
+/// Makes the scene without the probe that it may have in other programs. @param spec its name is one of scenes_for_probes().
 worlds::WorldFactory factory_for_probe(worlds::WorldSpec spec);
 
 /// A scene with its space and its simulated time. Its pairs are those without the probe.

@@ -43,7 +43,6 @@ Eigen::AlignedBox3d room_inside_walls(const World &scene, const Bounds &bounds)
 
 namespace
 {
-/// Tells whether a sphere at a place touches anything.
 class Obstacles
 {
 public:

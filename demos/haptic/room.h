@@ -1,5 +1,3 @@
-// The room of a scene, and free places in it.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ROOM_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_ROOM_H
 
@@ -18,10 +16,7 @@ Eigen::AlignedBox3d room_inside_walls(const World &scene, const Bounds &bounds);
 
 /// A place for a sphere that touches nothing of a scene: the wish, or the nearest one in a lattice around it. The space of the
 /// scene is not asked, so that its first tick remains its first.
-///
-/// @param step m; of the lattice.
-/// @param within m; the place is in this box.
-/// @return nothing when there is no such place.
+/// @param step m; of the lattice. @param within m; the place is in this box. @return nothing when there is no such place.
 std::optional<Vector3> free_place(const World &scene, const Vector3 &wish, double radius, double step,
                                   const Eigen::AlignedBox3d &within);
 } // namespace ode_predictive_space::worlds

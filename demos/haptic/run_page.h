@@ -1,5 +1,3 @@
-// The pages that --report writes.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_PAGE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_RUN_PAGE_H
 
@@ -12,7 +10,6 @@ namespace ode_predictive_space::demo
 /// Time per step, force, period of the servo, and predicted against actual contacts.
 recording::Page page_of_run(const Options &options, const RunResult &result);
 
-/// Time per tick of each space.
 recording::Page page_of_comparison(const worlds::WorldRuns &runs, double tick_seconds);
 } // namespace ode_predictive_space::demo
 

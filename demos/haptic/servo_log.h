@@ -24,7 +24,6 @@ struct ServoColumn
     double compute = 0; ///< s; of a step of the scene
 };
 
-/// The latest columns, in a ring.
 struct ServoChart
 {
     static constexpr std::size_t columns = 640;
@@ -32,7 +31,6 @@ struct ServoChart
     std::uint64_t made = 0; ///< column i is at i modulo columns
 };
 
-/// Totals of a whole run.
 struct ServoTotals
 {
     std::uint64_t ticks = 0;
@@ -45,19 +43,16 @@ struct ServoTotals
 class ServoLog
 {
 public:
-    /// Seconds of the servo's time in one column.
     static constexpr double column_seconds = 0.01;
 
-    /// @param rate Hz; of the servo. @param record_file empty: no recording. @param device the recorded device.
-    /// @param law the recorded law's name.
-    /// @param keep_forces whether forces() is needed.
+    /// @param rate Hz; of the servo. @param record_file empty: no recording. @param keep_forces whether forces() is needed.
     /// @throws haptics::DeviceError when the file cannot be created.
     ServoLog(double rate, const std::string &record_file, const haptics::Capabilities &device, const std::string &law,
              bool keep_forces);
 
     void add(const haptics::RenderedTick &tick);
 
-    /// Adds the duration of a step of the scene. The thread that steps it calls this.
+    /// The thread that steps the scene calls this.
     void step_took(double seconds);
 
     /// The latest columns. One other thread may call this.

@@ -1,5 +1,3 @@
-// The steps of the scene: how long they took and what the space reported.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_STEP_LOG_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_STEP_LOG_H
 

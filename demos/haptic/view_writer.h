@@ -1,5 +1,3 @@
-// Makes views of a run, step by step, for the window.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_VIEW_WRITER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_VIEW_WRITER_H
 

@@ -327,7 +327,6 @@ bool WindowedRun::pointer(const window::Pointer &pointer)
     return !moves_camera;
 }
 
-/// A thread that is joined on every way out.
 class Joined
 {
 public:

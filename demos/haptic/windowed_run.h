@@ -7,10 +7,8 @@
 
 namespace ode_predictive_space::demo
 {
-/// Run until the time is over or the window is closed. There must be a display. Once per process.
-///
-/// @return the result of the last run, after restarts.
-/// @throws what HapticRun throws; std::runtime_error for a screenshot that cannot be written.
+/// Runs until the time is over or the window is closed. There must be a display. Once per process.
+/// @return the result of the last run. @throws what HapticRun throws; std::runtime_error when a screenshot cannot be written.
 RunResult run_in_window(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                         const haptics::NoticeSink &notice);
 } // namespace ode_predictive_space::demo

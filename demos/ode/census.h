@@ -1,5 +1,3 @@
-// Counts the contents of the space of a demo.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_ODE_CENSUS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_ODE_CENSUS_H
 

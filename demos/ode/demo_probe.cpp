@@ -16,7 +16,6 @@ namespace
 constexpr std::size_t frames_per_key = 10;
 constexpr long steps_per_check = 50; // of the predictive space, by brute force
 
-/// The one demo of the process.
 class Demo
 {
 public:

@@ -162,7 +162,6 @@ void Hand::draw_force() const
     dsDrawCylinderD(centre.data(), rotation, static_cast<float>(length), static_cast<float>(radius_ / 4));
 }
 
-/// A line to each of the geoms that the predictive space expects the probe to meet soon.
 void Hand::draw_what_comes_next()
 {
     dsSetColor(0, 0.9F, 1);

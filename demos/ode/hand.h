@@ -29,10 +29,7 @@ constexpr double frame_seconds = 1.0 / 60;
 class Hand
 {
 public:
-    /// Opens the device.
-    ///
-    /// @param device a name that make_device() knows.
-    /// @throws std::invalid_argument, haptics::DeviceError: see make_device() and Device::open().
+    /// @param device a name that make_device() knows. @throws std::invalid_argument, haptics::DeviceError.
     explicit Hand(const std::string &device);
     ~Hand();
     Hand(const Hand &) = delete;
@@ -41,8 +38,7 @@ public:
     /// For the near callback: see HapticProbe::touch(). Nested spaces are searched; rays are left to the demo.
     bool touch(dGeomID first, dGeomID second);
 
-    /// One frame: force and reactions; then the probe is moved to the next place of the hand. In a new volume it is only
-    /// placed.
+    /// One frame: force and reactions; then the probe moves to the hand's next place. In a new volume it is only placed.
     void step(const Place &place);
 
     /// Destroys the geom; call it before its space is destroyed.

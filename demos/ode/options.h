@@ -1,5 +1,3 @@
-// The options of a demo of ODE that are not drawstuff's own.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_ODE_OPTIONS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_ODE_OPTIONS_H
 
@@ -15,9 +13,7 @@ struct Options
     bool headless = false; ///< without a window: drawstuff reads the number of steps
 };
 
-/// Ignores unknown options, as drawstuff does.
-///
-/// @throws std::invalid_argument when an option lacks its value.
+/// Ignores unknown options, as drawstuff does. @throws std::invalid_argument when an option lacks its value.
 Options read_options(int argc, char **argv);
 } // namespace ode_predictive_space::ode_demos
 

@@ -10,9 +10,7 @@
 
 namespace ode_predictive_space::worlds
 {
-/// Checks before a run that its results can be written afterwards. The file is left as it was.
-///
-/// @throws std::runtime_error when it cannot be written.
+/// Checks before a run that its results can be written; leaves the file as it was. @throws std::runtime_error when they cannot.
 inline void check_writable(const std::string &file)
 {
     const bool existed = std::filesystem::exists(file);

@@ -1,5 +1,3 @@
-// The end of a program whose command line asks for no run.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_COMMAND_LINE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_COMMAND_LINE_H
 
@@ -7,8 +5,6 @@
 
 namespace ode_predictive_space::worlds
 {
-/// Prints the help that was asked for, or what is wrong with the command line.
-///
 /// @return the exit status: 0 for help, 2 for a command line that cannot be understood.
 inline int end_of_parsing(const CLI::App &app, const CLI::ParseError &end)
 {

@@ -1,5 +1,3 @@
-// The contenders of a comparison: ways to find the pairs of geoms that are near each other.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CONTENDER_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_CONTENDER_H
 
@@ -41,13 +39,10 @@ public:
     virtual void prepare(int) {}
 
     /// Called after the dSpaceCollide() that filled this list, outside of the measured time. Adds the pairs that the contender
-    /// found but did not report in time.
-    ///
-    /// @return the number of pairs removed from the list because their boxes are apart.
+    /// found but did not report in time. @return the number of pairs removed from the list because their boxes are apart.
     virtual std::size_t finish(PairList &) { return 0; }
 
-    /// Called at the end of a tick, before the next motion; outside of the measured time, unless several ticks are timed
-    /// together.
+    /// Called before the next motion; outside of the measured time, unless several ticks are timed together.
     virtual void end_tick() {}
 
 private:

@@ -1,5 +1,3 @@
-// Hashes of pairs, by which runs are compared.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_PAIR_HASH_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_PAIR_HASH_H
 
@@ -10,7 +8,6 @@ namespace ode_predictive_space::worlds
 /// A hash of a set of pairs. It does not depend on their order, but on the number of times that each is in it.
 std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs);
 
-/// A hash of a whole run: of the hashes of its ticks in their order.
 class PairHash
 {
 public:

@@ -1,5 +1,3 @@
-// A line that shows the progress of a long run.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_PROGRESS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_PROGRESS_H
 
@@ -9,13 +7,11 @@
 
 namespace ode_predictive_space::worlds
 {
-/// Writes to standard error: on a terminal one line that is overwritten, otherwise a line for each tenth of the work, at most
-/// one per second.
+/// On a terminal, overwrites one line of standard error; otherwise writes a line for each tenth, at most one per second.
 class Progress
 {
 public:
-    /// @param what the beginning of the line
-    /// @param ticks the whole work
+    /// @param what the beginning of the line. @param ticks the whole work.
     Progress(std::string what, int ticks);
     ~Progress();
     Progress(const Progress &) = delete;

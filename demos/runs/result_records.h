@@ -1,5 +1,3 @@
-// The results of runs as records for other programs.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_RESULT_RECORDS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_RESULT_RECORDS_H
 
@@ -15,8 +13,6 @@ namespace ode_predictive_space::worlds
 /// ticks, with the warm-up; the hash in hexadecimal digits.
 nlohmann::json record_of(const WorldRun &run, const WorldSpec &spec);
 
-/// Write a value to a file.
-///
 /// @throws std::runtime_error when the file cannot be written.
 void write_json(const std::string &file, const nlohmann::json &value);
 } // namespace ode_predictive_space::worlds

@@ -63,8 +63,7 @@ public:
         return kind_ != SpaceKind::predictive_by_spheres && kind_ != SpaceKind::predictive_by_shapes;
     }
 
-    // The sweep-and-prune space rounds its first axis to single precision, so it reports pairs whose gap is in the eighth
-    // digit.
+    // The sweep-and-prune space rounds its first axis to single precision: it reports pairs with a gap in the eighth digit.
     std::size_t finish(PairList &list) override
     {
         return kind_ == SpaceKind::sweep_and_prune ? list.drop_pairs_apart() : 0;

@@ -1,5 +1,3 @@
-// Statistics of a series of measured times.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_STATISTICS_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_STATISTICS_H
 
@@ -17,8 +15,7 @@ struct Statistics
     double max = 0;
 };
 
-/// The statistics of a series; all 0 for an empty one. Percentiles are by nearest rank, so each is one of the
-/// measured values.
+/// All 0 for an empty series. Percentiles are by nearest rank, so each is one of the measured values.
 Statistics summarise(std::vector<double> series);
 } // namespace ode_predictive_space::worlds
 

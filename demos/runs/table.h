@@ -1,5 +1,3 @@
-// Tables and numbers as text.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_TABLE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_TABLE_H
 
@@ -16,7 +14,6 @@ std::string grouped(std::uint64_t number);
 /// A number with the given number of digits after the point, grouped before it: 1,234.5.
 std::string fixed(double number, int decimals);
 
-/// A 64-bit hash as 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t hash);
 
 /// Columns as wide as their widest cell, the first aligned on the left, the others on the right.
@@ -29,7 +26,6 @@ public:
 
     void add(Row row) { rows_.push_back(std::move(row)); }
 
-    /// Write it with a line under the head.
     void print(std::ostream &out) const;
 
 private:

@@ -14,7 +14,6 @@ constexpr double microseconds = 1e6;
 
 using TickHashes = const std::vector<std::uint64_t> &(WorldRun::*)() const;
 
-/// The number of the first tick in which the runs differ; -1: they are equal.
 int first_difference(const std::vector<const WorldRun *> &runs, TickHashes hashes)
 {
     const auto ticks = [hashes](const WorldRun *run) { return (run->*hashes)().size(); };

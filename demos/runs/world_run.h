@@ -1,5 +1,3 @@
-// One scene running in one space, with its times, pairs and contacts; and several of them side by side.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_RUNS_WORLD_RUN_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_RUNS_WORLD_RUN_H
 
@@ -28,7 +26,6 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// The time that reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
 
-/// The probe over a whole run.
 struct ProbeLog
 {
     void add(const ProbeReport &report);
@@ -51,23 +48,20 @@ public:
 
     ~WorldRun();
 
-    /// Make some ticks: motion, dSpaceCollide(), contacts. Stops after the tick in which `seconds` are used up.
-    ///
-    /// @return the seconds used.
+    /// Makes ticks: motion, dSpaceCollide(), contacts. Ends with the tick that uses up `seconds`. @return the seconds used.
     double turn(int ticks, double seconds = unlimited);
 
-    /// Make one.
     void tick() { turn(1); }
 
     /// Forget the times so far, but not the pairs: the ticks so far were warm-up.
     void start_measuring();
 
-    /// In place of dSpaceCollide(), call dSpaceCollide2() for the first `queries` of the scene's queries in each tick, as a
+    /// In place of dSpaceCollide(), calls dSpaceCollide2() for the first `queries` of the scene's queries in each tick, as a
     /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
     void ask_only(std::size_t queries) { queries_ = queries; }
 
-    /// In each tick, call dCollide() for all reported pairs right after dSpaceCollide(), and measure that: the narrow phase of
-    /// a program. The scene, which calls it for the pairs in its own order, does so in any case.
+    /// In each tick, calls dCollide() for all reported pairs right after dSpaceCollide(), and measures that: the narrow phase
+    /// of a program. The scene, which calls it for the pairs in its own order, does so in any case.
     void measure_contacts() { measuring_contacts_ = true; }
 
     /// Check the space by brute force after each tick, if it is a predictive one.
@@ -80,8 +74,7 @@ public:
     /// Duration of each dSpaceCollide() since start_measuring(), in microseconds.
     const std::vector<double> &collide_times() const { return collide_times_; }
 
-    /// Duration of each whole tick since start_measuring(), in microseconds: motion (with the step of the world), collide,
-    /// contacts.
+    /// Duration of each whole tick since start_measuring(), in microseconds: motion, step of the world, collide, contacts.
     const std::vector<double> &tick_times() const { return tick_times_; }
 
     /// With measure_contacts(): duration of the dCollide() calls of each tick since start_measuring(), in microseconds.
@@ -94,7 +87,6 @@ public:
     /// One hash per tick, of the pairs with contacts.
     const std::vector<std::uint64_t> &touching_hashes() const { return touching_hashes_; }
 
-    /// The probe of the scene since the beginning.
     const ProbeLog &probe_log() const { return probe_log_; }
 
     std::size_t ticks() const { return tick_hashes_.size(); }            ///< since the beginning
@@ -141,17 +133,14 @@ private:
     std::vector<std::uint64_t> tick_hashes_;
 };
 
-/// The runs of one scene in several spaces.
 using WorldRuns = std::vector<std::unique_ptr<WorldRun>>;
 
 WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory);
 
-/// Makes `ticks` ticks in each run, in alternating blocks of some hundred; each round begins with another run. The load of the
-/// machine, its clock frequency and its temperature then affect all runs alike, and within a block each run finds its data in
-/// the cache as it would alone.
-///
-/// @param progress called after each round with the number of ticks done.
-/// @param seconds_each a run that has used up this time makes no more ticks.
+/// Makes `ticks` ticks in each run, in alternating blocks of some hundred; each round begins with another run. The load, clock
+/// frequency and temperature then affect all runs alike, and a run finds its data in the cache as it would alone.
+/// @param progress called after each round with the number of ticks done. @param seconds_each after it, a run makes no more
+/// ticks.
 void run_by_turns(const WorldRuns &runs, int ticks, const std::function<void(int)> &progress = {},
                   double seconds_each = unlimited);
 

@@ -1,5 +1,3 @@
-// Spheres and rays that ask what is near them, among the objects of another world.
-
 #include "demos/worlds/lists.h"
 #include "ode_predictive_space/haptics/hand_path.h"
 

@@ -33,8 +33,7 @@ class RollingWorld : public ProgramWorld
 protected:
     using ProgramWorld::ProgramWorld;
 
-    /// @param half of the box in which they begin, metres
-    /// @param middle its height, metres
+    /// @param half of the box in which they begin, metres. @param middle its height, metres.
     void add_bodies(int count, const Vector3 &half, double middle, double radius, const Vector3 &box)
     {
         const dSpaceID space = objects_.space();

@@ -68,7 +68,6 @@ public:
     }
 };
 
-/// Bodies that steps move.
 class FramesWorld : public RoomfulWorld
 {
 public:

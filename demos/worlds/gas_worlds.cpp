@@ -1,9 +1,7 @@
 // Gas and the worlds like it, moved in two ways: gas, game, classes, still, churn, explosion, teleport and their namesakes
-// _stepped; and an engine that sets every pose.
-//
-// In the first ones nothing disturbs the motion: bodies are moved by dBodySetPosition() and dBodySetQuaternion() and have the
-// velocities that go with it; ODE's world is never stepped, and objects fly through one another. The others float, are moved by
-// steps and pushed by contacts.
+// _stepped; and an engine that sets every pose. In the first ones nothing disturbs the motion: bodies are moved by
+// dBodySetPosition() and dBodySetQuaternion() and have the velocities that go with it; ODE's world is never stepped, and
+// objects fly through one another. The others float, are moved by steps and pushed by contacts.
 
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
@@ -23,7 +21,6 @@ constexpr double fastest_turn = 5;                  // rad/s
 constexpr int objects_per_moving_pose = 20;
 constexpr double half_move = -1; // unless the specification has another share
 
-/// Differences between gas and the worlds like it.
 struct GasSettings
 {
     double volume_fraction;
@@ -204,7 +201,6 @@ public:
     }
 
 protected:
-    /// Without objects.
     FloatingWorld(const WorldSpec &spec, dSpaceID space)
         : SteppedWorld(spec, space, usual_tick),
           half_(Vector3::Constant(half_gas_room(spec.objects, thin) - object_radius))

@@ -114,9 +114,7 @@ dBodyID add_limb(Objects &objects, const Limb &limb, const Vector3 &place, const
     return objects.add_body(dCreateCapsule(objects.space(), limb.radius, length), density * volume, state);
 }
 
-/// Twelve capsules.
-///
-/// @param place of the feet; the ragdoll stands on them, turned by `orientation`.
+/// Twelve capsules. @param place of the feet; the ragdoll stands on them, turned by `orientation`.
 void add_ragdoll(Objects &objects, const Vector3 &place, const Quaternion &orientation)
 {
     std::array<dBodyID, 12> bodies{};

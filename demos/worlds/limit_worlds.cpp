@@ -61,7 +61,6 @@ private:
     int tick_ = 0;
 };
 
-/// Spheres that all overlap.
 class SpotWorld : public SpheresWorld
 {
 public:
@@ -78,12 +77,10 @@ public:
     }
 };
 
-/// Planes in all directions among a hundred moving spheres.
 class PlanesWorld : public SpheresWorld
 {
 public:
-    /// @param collide whether planes collide with one another
-    /// @param apart they are in a simple space, which is collided with the one that is measured
+    /// @param collide whether planes collide with one another. @param apart puts them into a simple space of their own.
     PlanesWorld(const WorldSpec &spec, dSpaceID space, bool collide, bool apart)
         : SpheresWorld(spec, space), apart_(apart ? dSimpleSpaceCreate(nullptr) : nullptr)
     {
@@ -190,7 +187,6 @@ enum class Order
     random
 };
 
-/// Still spheres that are destroyed in some order.
 class OrderWorld : public SpheresWorld
 {
 public:

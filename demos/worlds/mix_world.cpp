@@ -52,10 +52,9 @@ std::vector<Vector3> places_in_lattice(int count, double half_room, haptics::Ran
     return places;
 }
 
-/// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float
-/// through the room, bounce off one another and off the walls, and are gently driven back to their initial speed, so that the
-/// motion does not die down. The probe, unless the caller brings one, is the geom number 0: a sphere without a body, placed at
-/// the hand.
+/// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float,
+/// bounce, and are gently driven back to their initial speed, so that the motion does not die down. The probe, unless the
+/// caller brings one, is the geom number 0: a sphere without a body, placed at the hand.
 class MixWorld : public SteppedWorld
 {
 public:

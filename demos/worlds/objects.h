@@ -66,27 +66,21 @@ public:
     /// Take over a geom that does not collide with others of its kind: ground, shelves, trees.
     dGeomID add_scenery(dGeomID geom);
 
-    /// Make an object of the usual size that never moves: no body.
     dGeomID add_still(Shape shape, const Vector3 &position, const Quaternion &orientation);
 
-    /// Make an object of the usual size with a body.
-    ///
     /// @param density kg/m^3
     dBodyID add_moving(Shape shape, const BodyState &state, double density);
 
     /// Take over a geom and give it a new body of this mass, in kg, with the inertia of the geom's box.
     dBodyID add_body(dGeomID geom, double mass, const BodyState &state);
 
-    /// Take over a further geom of a body, at a place relative to it.
     void attach(dGeomID geom, dBodyID body, const Vector3 &offset);
 
-    /// Destroy a geom and its body, if it has one. Its number is not reused.
+    /// Destroys a geom and its body, if it has one. Its number is not reused.
     void destroy(dGeomID geom);
 
-    /// Destroy all geoms.
     void clear();
 
-    /// The geom of this number; null when it has been destroyed.
     dGeomID geom(std::uint32_t index) const { return geoms_[index]; }
 
     /// All geoms by number; null for destroyed ones.
@@ -106,7 +100,6 @@ private:
     std::vector<dBodyID> bodies_;
 };
 
-/// In kg.
 inline double mass_of(dBodyID body)
 {
     dMass mass;

@@ -25,16 +25,13 @@ inline void set_geom_index(dGeomID geom, std::uint32_t index)
     dGeomSetData(geom, reinterpret_cast<void *>(static_cast<std::uintptr_t>(index)));
 }
 
-/// The number given by set_geom_index().
 inline std::uint32_t geom_index(dGeomID geom)
 {
     return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)));
 }
 
-/// Two geoms by their numbers, the smaller first.
-using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>; ///< numbers of two geoms, the smaller first
 
-/// The callbacks of a world for its pairs.
 struct NearCallbacks
 {
     dNearCallback *geoms;
@@ -65,7 +62,6 @@ public:
         static_cast<PairList *>(list)->pairs_.emplace_back(first, second);
     }
 
-    /// For World::collide().
     static const NearCallbacks near;
 
     void clear() { pairs_.clear(); }
@@ -78,8 +74,7 @@ public:
     /// the present boxes are used.
     std::size_t drop_pairs_apart();
 
-    /// The pairs in ascending order of their geoms' numbers: the same list for every space. Valid while the
-    /// geoms live.
+    /// In ascending order of the geoms' numbers: the same list for every space. Valid while the geoms live.
     std::vector<IndexPair> sorted() const;
 
 private:

@@ -65,7 +65,6 @@ private:
     }
 };
 
-/// The states of its bodies when the pile has come to rest.
 std::vector<BodyState> settle_pile(const WorldSpec &spec)
 {
     const OwnedSpace space(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ));

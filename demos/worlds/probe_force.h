@@ -1,5 +1,3 @@
-// The force that a person feels through the probe, and its reaction on the touched objects.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_PROBE_FORCE_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_PROBE_FORCE_H
 
@@ -22,9 +20,7 @@ public:
     /// Add the contacts with one object, made by dCollide() with the probe first. `body` may be 0.
     void touch(const dContactGeom *contacts, int count, dBodyID body);
 
-    /// Push the touched bodies and start again.
-    ///
-    /// @return the force on the probe, in N: minus the sum of the forces on the touched objects.
+    /// Pushes the touched bodies and starts again. @return the force on the probe, in N: minus the sum of those on the objects.
     Vector3 apply();
 
 private:

@@ -1,5 +1,5 @@
-// Vehicles and robots, a chassis and four wheels with motors each: shelves, city, nested; spaces without robots; and robots that
-// look around with rays.
+// Vehicles and robots, a chassis and four wheels with motors each: shelves, city, nested; spaces without robots; and robots
+// that look around with rays.
 
 #include "demos/worlds/lists.h"
 #include "demos/worlds/stepped_world.h"
@@ -47,10 +47,8 @@ void add_wheel(Objects &objects, dSpaceID space, const VehicleSize &size, const 
     drive(hinge, speed, size.torque);
 }
 
-/// Make a vehicle whose wheels stand on the height of `place`, and which drives at random speeds.
-///
-/// @param space of its geoms
-/// @param heading radians about the vertical
+/// Makes a vehicle whose wheels stand on the height of `place`, and which drives at random speeds.
+/// @param space of its geoms. @param heading radians about the vertical.
 void add_vehicle(Objects &objects, dSpaceID space, const VehicleSize &size, const Vector3 &place, double heading,
                  haptics::Random &random)
 {
@@ -143,7 +141,6 @@ double half_side_of_city(int vehicles)
     return 6 * std::sqrt(vehicles) + 10;
 }
 
-/// Vehicles that drive over hills among trees.
 class CityWorld : private Heightfield, public ProgramWorld
 {
 public:
@@ -232,8 +229,8 @@ Bounds lidar_bounds(int boxes)
     return square(std::sqrt(boxes) + 1, 2);
 }
 
-/// Robots that look around with rays among still boxes. Each ray asks by itself, or the rays of a robot have a space of their own
-/// in the space of the boxes.
+/// Robots that look around with rays among still boxes. Each ray asks by itself, or the rays of a robot have a space of their
+/// own in the space of the boxes.
 class LidarWorld : public ProgramWorld
 {
 public:

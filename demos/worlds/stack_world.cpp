@@ -37,7 +37,6 @@ double half_side_of_floor(int boxes)
     return 0.5 * cell * structures_per_side + corridor;
 }
 
-/// The middle of a structure on the floor of a room of this size.
 Vector3 place_of_structure(int number, double half_side)
 {
     const int side = static_cast<int>(std::lround(2 * (half_side - corridor) / cell));
@@ -63,8 +62,8 @@ Vector3 place_in_tower(int number, double side)
 }
 
 /// Walls and towers alternate on the floor of a closed room. Bodies at rest are disabled. Every two seconds the ball is thrown
-/// again, at a wall or tower chosen at random: some boxes fly, most of them stay asleep. The ball is the geom after the walls of
-/// the room and before the boxes.
+/// again, at a wall or tower chosen at random: some boxes fly, most of them stay asleep. The ball is the geom after the walls
+/// of the room and before the boxes.
 class StackWorld : public SteppedWorld
 {
 public:

@@ -1,5 +1,3 @@
-// Worlds with real contacts: steps, and contact joints in an order that does not depend on the space.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_STEPPED_WORLD_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_STEPPED_WORLD_H
 
@@ -7,8 +5,7 @@
 
 namespace ode_predictive_space::worlds
 {
-/// The walls around a room, in metres.
-constexpr double wall_thickness = 0.5;
+constexpr double wall_thickness = 0.5; ///< m; of the walls around a room
 
 constexpr double standard_gravity = 9.81; // m/s^2
 
@@ -29,14 +26,12 @@ protected:
     /// Let each step be longer or shorter by up to this share.
     void vary_steps(double share) { variation_ = share; }
 
-    /// Seconds of the present step.
-    double step() const { return step_; }
+    double step() const { return step_; } ///< s
 
     /// Called before each step: adds the world's own forces.
     virtual void before_step() {}
 
-    /// Called for each pair that has contacts, before joints are made. When it returns true, the contacts of the pair get no
-    /// joints.
+    /// Called for each pair that has contacts, before joints are made. When it returns true, the contacts get no joints.
     virtual bool take_contacts(const IndexPair &, const dContactGeom *, int /* count */) { return false; }
 
     /// The walls of a box-shaped room, open above when `lid` is false. Boxes and not planes: an infinite geom is near

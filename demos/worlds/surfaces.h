@@ -1,5 +1,3 @@
-// Triangle meshes (a ball, buildings made of boxes, a room with rough walls) and ground that is a heightfield.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_SURFACES_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_SURFACES_H
 
@@ -12,7 +10,6 @@
 
 namespace ode_predictive_space::worlds
 {
-/// A wall of a room: a box.
 struct Wall
 {
     Vector3 centre;
@@ -42,7 +39,6 @@ public:
 
     void add_box(const Vector3 &centre, const Vector3 &half);
 
-    /// Floor and four walls around a room, and a ceiling if there is one.
     void add_room(const Vector3 &half, bool ceiling);
 
     /// A cube whose walls are uneven, of 215,472 triangles.
@@ -51,9 +47,7 @@ public:
     /// A faceted ball of 80 triangles: an icosahedron whose triangles are split once. The first in a mesh.
     void add_ball(double radius);
 
-    /// Call after the last triangle.
-    ///
-    /// @param for_convexes find the angles of faces, which ODE needs to find contacts with convexes.
+    /// Call after the last triangle. @param for_convexes find the angles of faces, which ODE needs for contacts with convexes.
     void build(bool for_convexes = false);
 
     /// Call after build().
@@ -71,10 +65,8 @@ private:
 class Heightfield
 {
 public:
-    /// @param width along x, metres
-    /// @param depth along y, metres
-    /// @param height of the sample in this column, along x, and row, against y, metres
-    /// @param thickness below the lowest height, metres
+    /// @param width along x, metres. @param depth along y, metres. @param thickness below the lowest height, metres.
+    /// @param height of the sample in this column, along x, and row, against y, metres.
     Heightfield(double width, double depth, int columns, int rows, const std::function<double(int, int)> &height,
                 double thickness);
 

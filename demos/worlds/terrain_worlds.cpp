@@ -133,9 +133,7 @@ protected:
         return (shape == Shape::box ? half_side_of_box() : object_radius) - sunk;
     }
 
-    /// A huge box collides with objects, not with the ground or with other huge boxes.
-    ///
-    /// @return its body; null for one that does not move.
+    /// A huge box collides with objects, not with the ground or other huge boxes. @return its body; null if it does not move.
     dBodyID add_huge(const HugeBox &box)
     {
         const dGeomID geom = objects_.add_geom(dCreateBox(objects_.space(), box.size.x(), box.size.y(), box.size.z()));
@@ -154,8 +152,8 @@ protected:
     Eigen::AlignedBox3d square_;
 };
 
-/// All move at up to 5 mm per tick and turn back at the edge of the square. The motion does not depend on contacts, so it can go
-/// on for any time.
+/// All move at up to 5 mm per tick and turn back at the edge of the square. The motion does not depend on contacts, so it can
+/// go on for any time.
 class TerrainWorld : public OnTerrain
 {
 public:
@@ -297,7 +295,6 @@ private:
     std::vector<dBodyID> huge_; ///< those that move
 };
 
-/// The bounds of the small movers, around the middle of the world.
 Bounds terrain_bounds(int objects)
 {
     const double half_side = half_side_of_square(objects) + object_radius;

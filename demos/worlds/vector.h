@@ -1,5 +1,3 @@
-// Vectors and rotations of the worlds, and their conversion to and from ODE.
-
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_VECTOR_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_VECTOR_H
 
@@ -51,15 +49,11 @@ inline void add_force(dBodyID body, const Vector3 &f)
     dBodyAddForce(body, f.x(), f.y(), f.z());
 }
 
-/// Turns the velocity of an object back that leaves a room.
-///
-/// @return whether the velocity was changed.
+/// Turns the velocity of an object back that leaves a room. @return whether the velocity was changed.
 bool turn_back(const Eigen::AlignedBox3d &room, const Vector3 &position, Vector3 &velocity);
 
-/// Turns a body back that leaves a room.
 void turn_back(const Eigen::AlignedBox3d &room, dBodyID body);
 
-/// A room around the origin.
 inline Eigen::AlignedBox3d room_of(const Vector3 &half)
 {
     return {-half, half};

@@ -1,19 +1,6 @@
-// A world: what the demos show, the tests check and the benchmarks measure.
-//
-// A world moves in the same way in every space: make it once per space from the same specification, and every difference is due
-// to the space.
-//
-//     WorldFactory factory({"gas", 1000, 1});
-//     dSpaceID space = dPredictiveSpaceCreate(0);
-//     std::unique_ptr<World> world = factory.make(space);
-//     PairList pairs;
-//     for (...)
-//     {
-//         world->advance();
-//         pairs.clear();
-//         world->collide(space, &pairs, PairList::near);
-//         world->respond(pairs.sorted());
-//     }
+// A world: what the demos show, the tests check and the benchmarks measure. It moves in the same way in every space: make it
+// once per space from the same specification, and every difference is due to the space. A tick of it:
+// world->advance(); pairs.clear(); world->collide(space, &pairs, PairList::near); world->respond(pairs.sorted());
 
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_WORLD_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_WORLDS_WORLD_H
@@ -33,7 +20,6 @@ namespace ode_predictive_space::worlds
 /// Number of contacts that dCollide() may return for a pair.
 constexpr int max_contacts = 8;
 
-/// Names a world and its size.
 struct WorldSpec
 {
     std::string name;       ///< one of world_names()
@@ -43,14 +29,12 @@ struct WorldSpec
     bool own_probe = true;  ///< of mix: false omits the probe; the caller brings one and handles its pairs
 };
 
-/// A box that contains a world.
 struct Bounds
 {
     Vector3 centre;
     Vector3 half_extent;
 };
 
-/// A cube around the origin.
 inline Bounds cube(double half)
 {
     return {Vector3::Zero(), Vector3::Constant(half)};
@@ -93,7 +77,6 @@ public:
     World(const World &) = delete;
     World &operator=(const World &) = delete;
 
-    /// Make one tick of motion.
     virtual void advance() = 0;
 
     /// Calls the space for the pairs of a tick: dSpaceCollide(), unless the world overrides it.
@@ -125,7 +108,6 @@ protected:
     std::size_t contacts_ = 0;
 };
 
-/// The purpose of a world.
 enum class Group
 {
     scene,   ///< one thing at a time; what the demos show
@@ -134,7 +116,6 @@ enum class Group
     limit    ///< very many, very large, very near, very far
 };
 
-/// Makes a copy in this space.
 using MakeWorld = std::function<std::unique_ptr<World>(dSpaceID)>;
 
 /// Properties of a world that are known before it is made.
@@ -158,13 +139,11 @@ std::function<MakeWorld(const WorldSpec &)> made_of(Arguments... arguments)
     };
 }
 
-/// All worlds.
 const std::vector<WorldEntry> &all_worlds();
 
 /// @throws std::invalid_argument for a name that no world has.
 const WorldEntry &world_named(const std::string &name);
 
-/// Their names.
 std::vector<std::string> world_names(Group group);
 
 /// Makes copies of one world. Long preparations (a pile must settle) are made once, here.
@@ -182,8 +161,7 @@ public:
     /// The bounds of the world, which a quadtree space needs in advance.
     Bounds bounds() const { return entry_.bounds(spec_.objects); }
 
-    /// The simulated time of one tick, in seconds.
-    double tick_seconds() const { return entry_.step; }
+    double tick_seconds() const { return entry_.step; } ///< s, simulated
 
 private:
     WorldSpec spec_;
@@ -200,7 +178,6 @@ constexpr int ticks_between_events = 200;
 /// Ticks after which each of the worlds of many is destroyed.
 constexpr int ticks_of_life = 60;
 
-/// One of the small worlds of many.
 WorldSpec life_of_many(const WorldSpec &spec);
 
 /// Spheres that ask in query and in ask, and as many rays.

@@ -104,9 +104,6 @@ def note(axes, x, y, text, ha="left", va="center", colour=BLACK, size=9, **optio
     axes.text(x, y, text, ha=ha, va=va, color=colour, fontsize=size, linespacing=1.25, **options)
 
 
-# --- path.svg ---------------------------------------------------------------------------------------------------------
-
-
 def normals(points):
     """Unit vectors to the left of a curve."""
     tangents = np.gradient(points, axis=0)
@@ -158,9 +155,6 @@ def draw_path(folder):
     save(figure, folder, "path.svg")
 
 
-# --- proximity.svg ----------------------------------------------------------------------------------------------------
-
-
 def draw_proximity(folder):
     figure = plt.figure(figsize=(680 / INCH, 320 / INCH))
     axes = figure.add_axes([0.055, 0.12, 0.93, 0.85])
@@ -205,9 +199,6 @@ def draw_proximity(folder):
     save(figure, folder, "proximity.svg")
 
 
-# --- chord.svg --------------------------------------------------------------------------------------------------------
-
-
 def draw_chord(folder):
     figure = plt.figure(figsize=(680 / INCH, 250 / INCH))
     axes = figure.add_axes([0.06, 0.17, 0.92, 0.8])
@@ -228,9 +219,6 @@ def draw_chord(folder):
     axes.set(xlim=(0, end + 0.4), ylim=(0, 27), xlabel="ticks", ylabel="distance")
     axes.set_yticks([0, ball, 25])
     save(figure, folder, "chord.svg")
-
-
-# --- gap.svg ----------------------------------------------------------------------------------------------------------
 
 
 def draw_gap(folder):
@@ -279,9 +267,6 @@ def draw_gap(folder):
     save(figure, folder, "gap.svg")
 
 
-# --- tick.svg ---------------------------------------------------------------------------------------------------------
-
-
 def draw_tick(folder):
     figure, axes = sheet(700, 276)
     width, height = 160, 62
@@ -315,9 +300,6 @@ def draw_tick(folder):
     save(figure, folder, "tick.svg")
 
 
-# --- servo.svg --------------------------------------------------------------------------------------------------------
-
-
 def draw_servo(folder):
     figure, axes = sheet(700, 350)
     for x, title, colour in ((15, "scene's thread, at physics_rate", GREY), (495, "servo's thread, at rate", BLUE)):
@@ -348,9 +330,6 @@ def draw_servo(folder):
     save(figure, folder, "servo.svg")
 
 
-# --- rooms.svg --------------------------------------------------------------------------------------------------------
-
-
 def draw_rooms(folder):
     figure, axes = sheet(700, 300)
     width, height = 140, 44
@@ -375,8 +354,6 @@ def draw_rooms(folder):
     note(axes, 690, 188, "loop/, probe and renderer\nuse device/, too", ha="right", colour=GREY)
     save(figure, folder, "rooms.svg")
 
-
-# --- includes.svg -----------------------------------------------------------------------------------------------------
 
 # The middle of each room. The arrows are those of the table in CONTRIBUTING.md.
 ROOMS = {

@@ -110,8 +110,6 @@ def label_in_full(axis):
     axis.set_minor_formatter(NullFormatter())
 
 
-# --- speed.svg --------------------------------------------------------------------------------------------------------
-
 # Worlds of docs/results/worlds_times.csv, from top to bottom.
 SPEED_WORLDS = {
     ("shelves", "10000"): "10,000 boxes on shelves, 50 robots",
@@ -158,9 +156,6 @@ def draw_speed(records, folder):
     save(figure, folder, "speed.svg")
 
 
-# --- cost.svg ---------------------------------------------------------------------------------------------------------
-
-
 def cost_curves(records, scene):
     """{contender: {objects: mean microseconds}}; of several measurements of the same the longest counts."""
     best = {}
@@ -201,7 +196,6 @@ def draw_cost(records, folder):
     panels = [(title, curves) for title, curves in panels if curves]
     if not panels:
         return
-    # A panel is as wide as the decades that it shows.
     widths = [max(1, len(set().union(*curves.values())) - 0.5) for _, curves in panels]
     figure, all_axes = plt.subplots(
         1, len(panels), figsize=(13, 5.6), sharey=True, squeeze=False, width_ratios=widths
@@ -217,9 +211,6 @@ def draw_cost(records, folder):
     order = [contender[0] for contender in CONTENDERS.values()]
     legend_of_all(figure, order, loc="center left", bbox_to_anchor=(1.01, 0.5), labelspacing=0.9)
     save(figure, folder, "cost.svg")
-
-
-# --- table1.svg -------------------------------------------------------------------------------------------------------
 
 
 def gains(records, block, other):

@@ -1,8 +1,5 @@
-# drawstuff is ODE's small renderer; patches add a callback for the pointer and runs without a window. No Debian package has it,
-# so it is built here, from a patched copy of ODE's source.
-#
-# Defines the target ode_predictive_space_drawstuff if OpenGL, GLU and X11 are installed; otherwise DRAWSTUFF_MISSING lists what
-# is missing. DRAWSTUFF_TEXTURES is the folder of its textures.
+# Builds drawstuff, ODE's renderer, which Debian does not have, with patches for a pointer's callback and runs without a window.
+# Defines ode_predictive_space_drawstuff and DRAWSTUFF_TEXTURES, a folder, or lists what is missing in DRAWSTUFF_MISSING.
 
 find_package(OpenGL QUIET)
 find_package(X11 QUIET)
@@ -55,6 +52,5 @@ target_include_directories(
     ode_predictive_space_drawstuff SYSTEM
     PUBLIC "${drawstuff_copy}/include"
     PRIVATE "${drawstuff_copy}" "${ODE_SOURCE_DIR}/ode/src")
-# Warnings about drawstuff's code do not concern this project.
 target_compile_options(ode_predictive_space_drawstuff PRIVATE -w)
 target_link_libraries(ode_predictive_space_drawstuff PUBLIC ODE::ODE OpenGL::GL OpenGL::GLU X11::X11)

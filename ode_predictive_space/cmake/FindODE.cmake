@@ -1,9 +1,7 @@
-# Finds the installed Open Dynamics Engine, with or without a CMake package.
-#
+# Finds the installed Open Dynamics Engine, with or without a CMake package. This project's CMake package uses this file, too.
 # Defines the imported target ODE::ODE, and ODE_VERSION, ODE_INCLUDE_DIR, ODE_LIBRARY, ODE_IS_SHARED and ODE_PKG_CONFIG_NAME.
 # For a static ODE, set ODE_LIBRARY to its archive. Some distributions have an ODE for each precision: the first module of
-# ODE_PKG_CONFIG_NAMES that pkg-config finds counts. The CMake package of ode_predictive_space also uses this file, which is
-# installed beside it.
+# ODE_PKG_CONFIG_NAMES that pkg-config finds counts.
 
 if(NOT ODE_PKG_CONFIG_NAMES)
     set(ODE_PKG_CONFIG_NAMES ode ode-double)

@@ -1,11 +1,9 @@
-# `cmake --install` puts headers, libraries, the CMake package and pkg-config files into the prefix, which can be moved. The
-# components are those of the packages in packaging/debian.
+# The prefix can be moved. The components are those of the packages in packaging/debian.
 
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/ode_predictive_space")
 
-# install_part(<target> <component> <component of its development files> <export>): the libraries of one part, shared and static.
 function(install_part target component development export)
     if(ODE_IS_SHARED)
         install(
@@ -75,7 +73,6 @@ set(private_haptics_libraries "-pthread")
 if(ODE_PREDICTIVE_SPACE_HAS_SPNAV IN_LIST haptics_definitions)
     string(APPEND private_haptics_libraries " -lspnav")
 endif()
-# install_pkg_config(<package> <component>)
 function(install_pkg_config package component)
     configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${package}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${package}.pc" @ONLY)
     install(

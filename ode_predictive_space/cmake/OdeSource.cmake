@@ -1,9 +1,6 @@
-# The installed ODE, and the source of the same version if there is one.
-#
 # Defines ODE::ODE, ODE_SOURCE_FOUND, and ODE_PATCHES_FIT, which is true for ODE's releases 0.16 to 0.16.6. The libraries need
-# no source. The demo's window and ODE's demos are built from it, and tests compare the layout of ODE's classes with it.
-# ODE_SOURCE_DIR (a CMake variable or an environment variable) is its folder; if it is empty, the project is built without the
-# source. `./run` puts the source into the default folder.
+# no source; the demo's window, ODE's demos, and the tests of the layout of ODE's classes do.
+# ODE_SOURCE_DIR (of CMake or the environment) is its folder; `./run` puts the source into the default one.
 
 # The target is global, so that a project around this one can use it, unless that has found ODE already. (CMake before 3.24
 # takes GLOBAL in find_package() for a component.)

@@ -1,5 +1,3 @@
-# Defaults for every target of the project: language, warnings, visibility, sanitizers, ccache.
-
 set(ODE_PREDICTIVE_SPACE_SANITIZERS
     ""
     CACHE STRING "Sanitizers to build with, separated by commas (address,undefined or thread)")
@@ -56,9 +54,8 @@ if(ODE_PREDICTIVE_SPACE_SANITIZERS)
     endif()
 endif()
 
-# A tick of a small scene is some hundred instructions. Their placement changes its time by up to 15 % with any line of the
-# source, unless functions begin at cache lines; calls across files cost another 2 to 6 %. Both options are for release builds.
-# A package with its own flags switches them off.
+# Unless functions begin at cache lines, any line of the source changes the time of a tick of a small scene by up to 15 %; calls
+# across files cost another 2 to 6 %. A package with its own flags switches both options off.
 option(ODE_PREDICTIVE_SPACE_ALIGN_FUNCTIONS "Begin functions of the space with cache lines" ON)
 function(ode_predictive_space_align)
     if(NOT ODE_PREDICTIVE_SPACE_ALIGN_FUNCTIONS)
@@ -80,8 +77,7 @@ function(ode_predictive_space_optimize_across_files)
     set_target_properties(${ARGN} PROPERTIES INTERPROCEDURAL_OPTIMIZATION_RELEASE ${is_supported})
 endfunction()
 
-# Hardening makes a mistake in the libraries harder to exploit. It is for release builds without sanitizers, which have their
-# own checks. docs/reliability.md gives its cost, and a test checks the libraries. A package with its own flags switches it off.
+# Sanitizers have their own checks. docs/reliability.md gives the cost. A package with its own flags switches hardening off.
 option(ODE_PREDICTIVE_SPACE_HARDENING "Harden the libraries of a release build" ON)
 function(ode_predictive_space_harden)
     if(NOT ODE_PREDICTIVE_SPACE_HARDENING OR ODE_PREDICTIVE_SPACE_SANITIZERS OR NOT UNIX)
@@ -97,8 +93,7 @@ function(ode_predictive_space_harden)
     endforeach()
 endfunction()
 
-# ode_predictive_space_look_for(<package> <Debian's name> <parts>): looks for a package that the libraries do not need, and says
-# which parts are left out without it.
+# Looks for a package that the libraries do not need, and says which parts are left out without it.
 macro(ode_predictive_space_look_for package debian_name left_out)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
@@ -120,8 +115,7 @@ if(PROJECT_IS_TOP_LEVEL AND CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 
-# ode_predictive_space_precompile(<target> <headers>): compiles these headers once for all files of a target. Eigen has 130,000
-# of the 140,000 lines that most files read. Files still include what they need, so that all builds work with
+# Eigen has 130,000 of the 140,000 lines that most files read. Files still include what they need, so that all builds work with
 # -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
 function(ode_predictive_space_precompile target)
     target_precompile_headers(${target} PRIVATE ${ARGN})

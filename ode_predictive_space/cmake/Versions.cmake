@@ -1,5 +1,4 @@
-# ODE_PREDICTIVE_SPACE_INTERFACE is the version of the binary interface; it follows from the version of the project. It is in the
-# names of the shared libraries (SONAME) and of the nodes of their symbols. Below 1.0, each minor version has its own interface.
+# This version is in the SONAMEs and in the nodes of the symbols. Below 1.0, each minor version has its own binary interface.
 
 set(ODE_PREDICTIVE_SPACE_INTERFACE ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)

@@ -39,8 +39,7 @@ Acquire::Languages "none";
 END
 }
 
-# Fetches and unpacks the source package of the installed libode-dev into the folder $1. The system's own apt settings,
-# lists and caches stay as they are.
+# Fetches the source package of the installed libode-dev into folder $1 and leaves the system's apt settings and caches alone.
 fetch_ode_source() {
     local package work
     package=$(dpkg-query --show --showformat '${source:Package}=${source:Version}' libode-dev 2>/dev/null) ||
@@ -61,7 +60,6 @@ fetch_ode_source() {
     trap - EXIT
 }
 
-# Sets ode_source to the folder that has the source of the installed ODE.
 find_ode_source() {
     if [[ -n ${ODE_SOURCE_DIR:-} ]]; then
         ode_source=$(cd "$ODE_SOURCE_DIR" 2>/dev/null && pwd) || fail "ODE_SOURCE_DIR ($ODE_SOURCE_DIR) is not a folder"
@@ -84,8 +82,7 @@ want_ode_source() {
     fi
 }
 
-# build_ode <prefix> <options of cmake>: builds the source of ODE into the prefix, unless that has been done. The build contains
-# ODE's copy of libccd; Debian's package uses the system's.
+# build_ode <prefix> <options of cmake>: builds ODE once, with its own copy of libccd; Debian's package uses the system's.
 build_ode() {
     local prefix=$1 ode_source log
     shift
@@ -111,7 +108,6 @@ build_ode() {
 # Only ODE's build type Debug has assertions.
 build_ode_release() { build_ode "$1" -DCMAKE_BUILD_TYPE=Release -DODE_DOUBLE_PRECISION=ON; }
 
-# Builds a target of the project into build/release-ode, against the ODE in the prefix $1.
 build_with_ode() {
     # The space compiles ODE's assertion macros, too; this definition removes them.
     configure -S . -B build/release-ode -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$1" \

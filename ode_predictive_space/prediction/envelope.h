@@ -12,9 +12,8 @@ namespace ode_predictive_space
 {
 using Box = Eigen::AlignedBox3d;
 
-/// The box [s(t) + low - R(t), s(t) + high + R(t)], for t from 0 to the horizon.
-/// `low` and `high` are bounds relative to the path; single sides may be infinite (floors, half spaces).
-/// `radius` is that of a sphere around s(t) that holds the object; infinite if no such sphere is known.
+/// The box [s(t) + low - R(t), s(t) + high + R(t)], for t from 0 to the horizon. Single sides may be infinite (floors, half
+/// spaces). `radius` is that of a sphere around s(t) that holds the object; infinite if no such sphere is known.
 struct Envelope
 {
     Path path;
@@ -23,7 +22,6 @@ struct Envelope
     Vector3 high = Vector3::Zero();
     double radius = 0;
 
-    /// The envelope with the origin of time moved to t >= 0.
     Envelope advanced(double t) const { return {path.advanced(t), deviation.advanced(t), low, high, radius}; }
 
     Box at(double t) const;

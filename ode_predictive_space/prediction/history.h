@@ -28,7 +28,6 @@ public:
         positions_[newest_] = position;
     }
 
-    /// Keeps only samples that are at most `ticks` ticks older than `now`.
     void keep_recent(std::uint32_t now, std::int32_t ticks)
     {
         int recent = 0;

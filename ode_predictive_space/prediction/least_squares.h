@@ -7,15 +7,13 @@
 
 namespace ode_predictive_space
 {
-/// A position at a time in ticks.
 struct Sample
 {
-    double time;
+    double time; ///< in ticks
     Vector3 position;
 };
 
-/// Maximum number of samples for fit_path().
-constexpr int max_samples = 16;
+constexpr int max_samples = 16; ///< for fit_path()
 
 struct FittedPath
 {
@@ -24,8 +22,7 @@ struct FittedPath
 };
 
 /// A path of second degree, with time 0 at the newest sample. Two samples give a line, one sample a constant position.
-/// @param samples in ascending order of time, with distinct times.
-/// @param count 1 to max_samples.
+/// @param samples in ascending order of time, with distinct times. @param count 1 to max_samples.
 FittedPath fit_path(const Sample *samples, int count);
 } // namespace ode_predictive_space
 

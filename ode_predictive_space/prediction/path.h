@@ -11,7 +11,7 @@ namespace ode_predictive_space
 {
 using Vector3 = Eigen::Vector3d;
 
-/// A curve of second degree in time. Lengths are in the scene's unit, times in ticks.
+/// Lengths are in the scene's unit, times in ticks.
 struct Path
 {
     Vector3 position = Vector3::Zero();     ///< p, at time 0
@@ -24,7 +24,6 @@ struct Path
     Path advanced(double t) const { return {at(t), velocity + t * acceleration, acceleration}; }
 };
 
-/// The path of `second` relative to `first`.
 inline Path relative_path(const Path &first, const Path &second)
 {
     return {second.position - first.position, second.velocity - first.velocity,
@@ -46,9 +45,8 @@ inline Vector3 size_of_terms(const Path &path, double duration)
     return path.position.cwiseAbs() + duration * (path.velocity.cwiseAbs() + duration * path.acceleration.cwiseAbs());
 }
 
-/// Rounding adds less to a distance than this factor times the sum of the absolute values of the distance's terms.
-/// A bound of an envelope or a distance between two paths takes a dozen operations, each with an error of at most half an
-/// epsilon; `advanced()` takes four more.
+/// Rounding adds less to a distance than this factor times the sum of its terms' absolute values. A bound of an envelope or a
+/// distance takes a dozen operations, each with an error of at most half an epsilon; `advanced()` takes four more.
 constexpr double rounding_per_size = 16 * std::numeric_limits<double>::epsilon();
 } // namespace ode_predictive_space
 

@@ -9,10 +9,9 @@
 
 namespace ode_predictive_space
 {
-/// First m >= 0 at which A m^2 + 2 B m + C <= 0, or none.
-/// C <= 0 gives 0. Otherwise, with D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B, for every sign of
-/// A and B, also for A = 0. This form cancels only for B > 0. A root then needs A < 0 and is computed as
-/// (B + sqrt(D)) / -A. NaN gives 0: nothing is known to be apart.
+/// First m >= 0 at which A m^2 + 2 B m + C <= 0, or none; 0 if C <= 0, and for NaN: nothing is known to be apart.
+/// With D = B^2 - A C, the root is C / (sqrt(D) - B) if D >= 0 and sqrt(D) > B, for every sign of A and B, also for A = 0.
+/// This form cancels only for B > 0. A root then needs A < 0 and is computed as (B + sqrt(D)) / -A.
 std::optional<double> first_root(double A, double B, double C);
 
 /// The paper's P(m) = A m^2 + 2 B m + C over a horizon, m = t / duration (equation 6): the squared distance between the chords
@@ -23,16 +22,14 @@ struct ProximityPolynomial
     double at(double m) const { return (A * m + 2 * B) * m + C; }
 };
 
-/// P(m) of the bounding spheres of two envelopes, rounded down for m >= 0. @pre both radii are finite.
-/// @param error e, see sphere_chord_error().
+/// P(m) of the bounding spheres, rounded down for m >= 0. @pre both radii are finite. @param error e, see sphere_chord_error().
 ProximityPolynomial proximity_polynomial(const Envelope &first, const Envelope &second, double duration, double error);
 
 /// The e that makes P(m) <= 0 necessary for proximity: the chord error of the relative path (see chord_error()). It is zero
 /// for two bodies in free fall, and never exceeds the sum of the errors of both paths.
 double sphere_chord_error(const Envelope &first, const Envelope &second, double duration);
 
-/// Earliest time in [0, duration] at which the bounding spheres, grown by the deviations, may touch; `duration` >= 0. Before
-/// it, the spheres are apart while both objects stay in their envelopes.
+/// Earliest time in [0, duration], `duration` >= 0, at which the bounding spheres, grown by the deviations, may touch.
 /// @return none if the spheres are apart over all of [0, duration]; 0 if a radius is infinite or any value is NaN.
 std::optional<double> sphere_time_of_proximity(const Envelope &first, const Envelope &second, double duration);
 

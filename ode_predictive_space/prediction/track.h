@@ -34,12 +34,10 @@ public:
 
     bool has_begun() const { return history_.count() > 0; }
     bool is_known() const { return history_.count() >= needed; }
-    /// The last three poses are equal.
-    bool rests() const;
+    bool rests() const; ///< the last three poses are equal
 
     /// The path through the last three positions, with time 0 at the newest. @pre is_known().
     Path path() const;
-    /// The least-squares path through the last positions of the motion, up to eight.
     Path fitted() const { return history_.fit().path; }
 
     /// Deviation from path() that rounding of the positions can cause.

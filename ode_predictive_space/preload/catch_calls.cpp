@@ -56,7 +56,6 @@ const Ode *served_ode;
 // Not 0 while the substitute works: its calls are meant for this ODE.
 __thread const Ode *inside;
 
-// The library of the substitute lies beside this one.
 template <std::size_t size> bool path_of_substitute(char (&path)[size])
 {
     const link_map *self = object_at(reinterpret_cast<const void *>(&path_of_substitute<size>));

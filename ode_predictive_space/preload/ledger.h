@@ -21,7 +21,6 @@ struct CallTimes
     void add(double seconds, double callback_seconds);
 };
 
-/// The counts of a space in this process.
 struct SpaceCounts
 {
     int number;                              ///< in the order in which the program made its spaces, from 1
@@ -44,10 +43,8 @@ public:
     /// Whether the space is a predictive one in place of a space of ODE that the program made.
     bool is_substitute(dSpaceID space) const;
 
-    /// The number of a space, as in its counts.
     int number_of(dSpaceID space);
 
-    /// Changes the counts of a space.
     template <typename Change> void with_counts(dSpaceID space, Change change)
     {
         const std::lock_guard<std::mutex> guard(mutex_);

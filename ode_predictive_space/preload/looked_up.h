@@ -1,5 +1,4 @@
-// Functions of ODE that a program looks up by dlsym(). Belongs to the half that is loaded into every process: it uses the C library
-// alone.
+// Lookups of ODE's functions by dlsym(). Belongs to the half that is loaded into every process: it uses the C library alone.
 
 #ifndef ODE_PREDICTIVE_SPACE_PRELOAD_LOOKED_UP_H
 #define ODE_PREDICTIVE_SPACE_PRELOAD_LOOKED_UP_H
@@ -21,12 +20,10 @@ enum CaughtFunction
     caught_function_count // none of them
 };
 
-/// The result of a program's lookup of one of these functions. Defined in catch_calls.cpp.
-///
-/// @param found the result without us; not 0.
+/// The answer to a program's lookup of one of these functions; `found`, not 0, is the answer without us. In catch_calls.cpp.
 void *answer_to_lookup(CaughtFunction function, void *found);
 
-/// Is the calling thread to get ODE's own functions? Defined in catch_calls.cpp.
+/// Is the calling thread to get ODE's own functions? In catch_calls.cpp.
 bool sees_ode_itself();
 } // namespace ode_predictive_space::preload
 

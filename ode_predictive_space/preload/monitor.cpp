@@ -53,7 +53,6 @@ public:
     void pause() { paused_ = processor_time(); }
 
     /// Must be called at the end of a collide, between pause() and end_recording().
-    ///
     /// @return the seconds of the tick that ends; 0 for the first one; negative if the tick continues.
     double end_collide()
     {
@@ -105,7 +104,6 @@ recording::HistoryFile new_file(const std::string &name, std::string &path)
 }
 } // namespace
 
-// One call of dSpaceCollide() or dSpaceCollide2().
 struct Monitor::Call
 {
     dSpaceID space;

@@ -56,7 +56,6 @@ Exit status: 0 when all pairs agree; 1 when some do not, or spaces ended; 2 for 
 record, and for one that is not a recording or contradicts itself: a line on standard error gives the reason and the offset of
 the byte.)";
 
-// Checks a list of classes of spaces. Returns what is wrong with it, or nothing.
 std::string wrong_name_in(const std::string &list)
 {
     std::istringstream names(list);

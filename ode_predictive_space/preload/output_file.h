@@ -10,8 +10,8 @@ namespace ode_predictive_space::preload
 {
 using recording::NoSignalOfWriting;
 
-/// A file to append to, without a buffer: a text is written at once and in one piece, also when other processes write to the same
-/// file, and a forked child has nothing left to write again. Any number of threads may write.
+/// A file to append to, without a buffer: a text is written at once and in one piece, also when other processes write to the
+/// same file, and a forked child has nothing left to write again. Any number of threads may write.
 class OutputFile
 {
 public:
@@ -20,8 +20,7 @@ public:
     OutputFile(const OutputFile &) = delete;
     OutputFile &operator=(const OutputFile &) = delete;
 
-    /// @return whether all of it is written. The first failure, also of opening, writes a line to standard error; nothing more is
-    /// written then.
+    /// @return whether all is written. The first failure, also of opening, writes a line to standard error and ends writing.
     bool write(const std::string &text);
 
 private:

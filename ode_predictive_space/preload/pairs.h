@@ -15,7 +15,6 @@ using Pair = std::pair<dGeomID, dGeomID>;
 dSpaceID asked_space(dGeomID first, dGeomID second);
 
 /// Puts pairs, and the two geoms of each, into an order that depends on their classes, bounding boxes and bits alone.
-///
 /// @return a hash of them all, the same in every run in which the geoms of the pairs are in the same places.
 std::uint64_t put_in_order(std::vector<Pair> &pairs);
 } // namespace ode_predictive_space::preload

@@ -5,8 +5,7 @@
 
 namespace ode_predictive_space::preload
 {
-/// Does this program define ODE's functions itself? Then it was linked with a static ODE, whose calls cannot be caught. The answer is
-/// in its symbol tables: a program without symbols seems to define none.
+/// Programs linked with a static ODE, whose calls cannot be caught, define its functions. One without symbols seems not to.
 bool has_ode_built_in(const char *program_file);
 } // namespace ode_predictive_space::preload
 

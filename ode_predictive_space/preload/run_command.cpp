@@ -39,8 +39,6 @@ void set(const char *name, const std::string &value)
         setenv(name, value.c_str(), 1);
 }
 
-// --- The libraries to load ---
-
 // The library lies beside the tool in a build, and in the folder of libraries of an installation.
 std::string path_of_preload()
 {
@@ -64,8 +62,6 @@ void preload()
     const std::string others = in_environment("LD_PRELOAD");
     set("LD_PRELOAD", (others.empty() ? "" : others + ":") + path_of_preload());
 }
-
-// --- The files to write ---
 
 // Returns the absolute path, because processes may have different working directories, and refuses a file that cannot be written.
 // The file is left to the program to make. A pipe is not opened, because its reader would notice.
@@ -130,8 +126,6 @@ void set_variables(RunOptions &options)
         throw Refusal("--record-limit: '" + options.record_limit + "' is not a number of bytes, such as 100M");
     set("ODE_PREDICTIVE_RECORD_LIMIT", options.record_limit);
 }
-
-// --- The program ---
 
 [[noreturn]] void become(char **command)
 {

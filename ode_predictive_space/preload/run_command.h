@@ -18,9 +18,7 @@ struct RunOptions
     static constexpr const char *to_standard_error = "true"; ///< of statistics
 };
 
-/// Runs the program with the preload in place of this one; with a report, waits for its end, writes the page and ends as the program
-/// ended.
-///
+/// Runs the program with the preload in place of this one; with a report, waits for it, writes the page and ends as it ended.
 /// @throws std::runtime_error for options that cannot be carried out, before the program runs.
 [[noreturn]] void run(RunOptions options);
 } // namespace ode_predictive_space::preload

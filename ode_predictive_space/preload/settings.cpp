@@ -28,7 +28,6 @@ std::set<int> replaced_by_default()
     return {dHashSpaceClass, dQuadTreeSpaceClass, dSweepAndPruneSpaceClass};
 }
 
-// Adds the classes that a word of the list stands for.
 bool add_classes(const std::string &word, std::set<int> &classes)
 {
     bool known = word == "none";

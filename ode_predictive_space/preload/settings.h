@@ -9,7 +9,6 @@
 
 namespace ode_predictive_space::preload
 {
-/// The settings of a process, which the environment gives.
 struct Settings
 {
     std::set<int> replaced;         ///< classes of spaces (dHashSpaceClass and so on) that predictive ones stand in for
@@ -28,13 +27,10 @@ constexpr std::uint64_t default_record_limit = std::uint64_t{256} << 20;
 /// A number of bytes, at most 2^60, with or without K, M or G for 2^10, 2^20 or 2^30 of them; 0 for any other text.
 std::uint64_t bytes_named(const std::string &text);
 
-/// Reads the variables ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _TRACE, _RECORD and _RECORD_LIMIT.
-///
-/// @param variable gives a variable's value, or 0.
+/// Reads ODE_PREDICTIVE_SPACE, _PROXIMITY, _STATS, _TRACE, _RECORD and _RECORD_LIMIT. @param variable gives a value, or 0.
 /// @param complaints gets a sentence for each value that is not known, for which the default is taken.
 Settings read_settings(const std::function<const char *(const char *)> &variable, std::vector<std::string> &complaints);
 
-/// Is the word hash, quadtree, sap, simple, all or none?
 bool is_name_of_spaces(const std::string &word);
 
 /// "hash" for dHashSpaceClass, and so on.

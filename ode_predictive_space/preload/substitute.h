@@ -35,10 +35,8 @@ struct Hooks
     void (*collide2)(dGeomID, dGeomID, void *, dNearCallback *);
 };
 
-/// The only exported function of the substitute, to be called once. It does not call the dynamic linker: all lookups are made when
-/// the substitute is loaded.
-///
-/// @param calls stays valid.
+/// The only exported function of the substitute, to be called once. It does not call the dynamic linker: all lookups are made
+/// when the substitute is loaded. @param calls stays valid.
 /// @return 0, after a line on standard error, when this ODE cannot be served. Otherwise the hooks, valid to the end.
 using Attach = const Hooks *(*)(const OdeCalls *calls);
 constexpr const char *attach_name = "ode_predictive_space_attach";

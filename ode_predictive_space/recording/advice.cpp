@@ -36,7 +36,6 @@ bool is_worth(const std::optional<Gain> &gain)
     return gain && gain->share >= least_gain && is_clear(*gain);
 }
 
-// The best of ODE's other spaces; none when all end the program.
 std::optional<SpaceKind> best_of_ode(const Findings &findings)
 {
     std::optional<SpaceKind> best;

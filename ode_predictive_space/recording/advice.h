@@ -1,5 +1,3 @@
-// The advice to a program: one sentence about its gain.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_ADVICE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_ADVICE_H
 
@@ -38,9 +36,8 @@ struct Findings
     std::optional<RecordedTick> tick; ///< not known of a recording that was not made by the launcher
 };
 
-/// The saved part of a tick, relative to the tick with the program's own spaces. In the program, all spaces are slower than in
-/// a replay, whose data stay in the processor's caches. The estimate assumes the same delay for all, which is cautious: a space
-/// that reads more memory loses more.
+/// The saved part of a tick with the program's own spaces. Spaces are slower in the program than in a replay, whose data stay
+/// in the processor's caches; assuming the same delay for all is cautious, as a space that reads more memory loses more.
 struct Gain
 {
     double share;  ///< median of the replays
@@ -61,7 +58,6 @@ enum class Advice
 /// A gain below 2 % of a tick is none. A gain below twice the spread is not known.
 Advice advice_for(const Findings &findings);
 
-/// The sentences, with the figures that they rest on and the line to change.
 std::string sentence_for(const Findings &findings);
 } // namespace ode_predictive_space::recording
 

@@ -16,7 +16,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// Means per event.
 struct Means
 {
     double collide = 0, notices = 0, callbacks = 0;
@@ -36,7 +35,6 @@ Means means_of(const Cost &cost)
     return means;
 }
 
-// The replays in one kind of spaces: the least time of each event, and the cost of each replay.
 struct Replays
 {
     SpaceKind kind; // on the page; the program's own spaces are replayed as SpaceKind::own
@@ -129,7 +127,6 @@ void replay_costliest_again(const Recording &recording, std::size_t events, doub
     }
 }
 
-// The mean tick of the program, over the events that were replayed.
 std::optional<RecordedTick> recorded_tick(const Recording &recording, const Costs &costs)
 {
     RecordedTick tick;
@@ -194,7 +191,6 @@ Curve times_of(const std::string &name, const Cost &cost)
     return means(name, series, 1, 1e6);
 }
 
-// The recorded times of the events that were replayed.
 Curve times_in_program(const Recording &recording, std::size_t events)
 {
     BoundedSeries series{};

@@ -6,8 +6,7 @@
 
 namespace ode_predictive_space::recording
 {
-/// Replays a recording in the program's own kind of spaces, in all others of ODE and in predictive ones, and says what the program
-/// would gain. No replay takes much longer than two seconds: all of them end where the first one did.
+/// Replays a recording in spaces of all kinds. No replay takes much longer than two seconds: all end where the first one did.
 Answer answer_for(const Recording &recording);
 } // namespace ode_predictive_space::recording
 

@@ -1,5 +1,3 @@
-// A measured series of any length in bounded memory, for plots.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_BOUNDED_SERIES_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_BOUNDED_SERIES_H
 
@@ -8,8 +6,8 @@
 
 namespace ode_predictive_space::recording
 {
-/// Mean and largest of equally many successive values in each column. When all columns are full, neighbours are merged, so that each
-/// column has twice as many values. Plain data; all zeros: empty.
+/// A series of any length in bounded memory, as mean and largest of equally many successive values in each column. When all
+/// columns are full, neighbours are merged. Plain data; all zeros: empty.
 class BoundedSeries
 {
 public:
@@ -20,7 +18,6 @@ public:
     /// 0 … most_columns, whatever the memory holds.
     std::size_t columns() const;
 
-    /// Number of values in each column but the last, which may have fewer.
     std::uint64_t values_per_column() const { return std::uint64_t{1} << (doublings_ & 63); }
 
     double mean(std::size_t column) const;

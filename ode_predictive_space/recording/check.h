@@ -8,13 +8,11 @@
 
 namespace ode_predictive_space::recording
 {
-/// A sentence that says whether the recording is whole, and where it is cut.
 std::string completeness_of(const Recording &recording);
 
 /// A sentence for a recording without the notices of its first space; empty when it has them.
 std::string unknown_notices(const Recording &recording);
 
-/// Whether the pairs of one kind of spaces agree with those of another.
 struct Verdict
 {
     bool agrees;

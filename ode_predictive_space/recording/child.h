@@ -36,7 +36,6 @@ private:
 };
 
 /// Does some work in a child process, because ODE's assertions end a process.
-///
 /// @return why the work did not get to its end: ODE's message, or the name of a signal. Empty: it did.
 std::string do_in_child(const std::function<void()> &work);
 } // namespace ode_predictive_space::recording

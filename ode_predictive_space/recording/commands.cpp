@@ -52,7 +52,6 @@ void describe(const std::string &file, const Recording &recording)
         std::printf("%s\n", unknown.c_str());
 }
 
-// Instructions per event in spaces of one kind after another.
 class Counter
 {
 public:
@@ -63,7 +62,6 @@ public:
             without_space_ = count(SpaceKind::none);
     }
 
-    // Number of events whose instructions are counted.
     std::size_t events() const { return events_; }
 
     /// None when the spaces end the program, or nothing is counted.
@@ -88,7 +86,6 @@ private:
     std::optional<std::uint64_t> without_space_;
 };
 
-// The figures of --json.
 class Figures
 {
 public:

@@ -1,5 +1,3 @@
-// The commands of the tool that begin with a recording.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_COMMANDS_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_COMMANDS_H
 
@@ -21,16 +19,10 @@ struct ReplayOptions
     std::string file;
 };
 
-/// Replays a recording in spaces of every kind and prints how their pairs agree and what they take.
-///
-/// @return 0 when all pairs agree, else 1.
-/// @throws std::runtime_error for a file that cannot be replayed.
+/// @return 0 when all pairs agree, else 1. @throws std::runtime_error for a file that cannot be replayed.
 int replay(const ReplayOptions &options);
 
-/// Writes the page that says what the recorded program would gain into an existing folder. Without a recording the page says that
-/// this is not known.
-///
-/// @return the path of the page.
+/// Writes the page into an existing folder, also without a recording. @return the path of the page.
 /// @throws std::runtime_error when the page cannot be written, or the file is no recording.
 std::string write_report(const std::string &folder, const std::string &file, const std::string &title);
 } // namespace ode_predictive_space::recording

@@ -7,11 +7,9 @@
 namespace ode_predictive_space::recording
 {
 /// A curve through the mean of each column, in the middle of the column.
-///
 /// @param x_per_value from one value to the next on the x axis. @param scale from the unit of the values to that of the plot.
 Curve means(std::string name, const BoundedSeries &series, double x_per_value, double scale);
 
-/// As means(), through the largest value of each column.
 Curve largest(std::string name, const BoundedSeries &series, double x_per_value, double scale);
 } // namespace ode_predictive_space::recording
 

@@ -12,8 +12,7 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// Pixels of the drawing.
-constexpr double width = 820, height = 300;
+constexpr double width = 820, height = 300; // pixels
 constexpr double left = 70, right = 30, top = 10, bottom = 45;
 
 // Okabe and Ito's colours, which colour-blind people can distinguish.
@@ -26,7 +25,6 @@ std::string number(double value, const char *format = "%.6g")
     return text;
 }
 
-/// An axis, which maps values to pixels.
 struct Axis
 {
     double low;

@@ -5,7 +5,6 @@
 
 namespace ode_predictive_space::recording
 {
-/// Text that HTML shows as it is.
 std::string escaped(const std::string &text);
 
 /// The heading, the plot and its legend as HTML; empty for a plot without points.

@@ -10,9 +10,7 @@
 
 namespace ode_predictive_space::recording
 {
-/// Calls visit(address, size) for the bytes of each field that the mask has.
-///
-/// @param state a BodyState, const or not.
+/// Calls visit(address, size) for the fields of a BodyState, const or not, that the mask has.
 template <typename State, typename Visit> void visit_body_fields(State &state, std::uint16_t fields, Visit visit)
 {
     if (fields & body_field::flags)
@@ -23,8 +21,7 @@ template <typename State, typename Visit> void visit_body_fields(State &state, s
         visit(&state.velocity, sizeof state.velocity);
 }
 
-/// Calls visit(address, size) for the fields of a GeomState, whose class must be set: the class determines how many numbers its size
-/// has.
+/// As visit_body_fields(), for a GeomState whose class is set: the class determines how many numbers its size has.
 template <typename State, typename Visit> void visit_geom_fields(State &state, std::uint16_t fields, Visit visit)
 {
     const auto visit_if = [&](std::uint16_t field, auto &value, std::size_t size) {

@@ -1,5 +1,4 @@
-// The format of a recording: the changes of a program's geoms, bodies and spaces, and its collides. Little-endian. A header is
-// followed by records. Ids are given in order, from 0, when something first appears.
+// The format of a recording, little-endian: a header and records. Ids are given in order, from 0, at the first appearance.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_FORMAT_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_FORMAT_H
@@ -89,8 +88,7 @@ constexpr std::uint8_t geom_enabled = 1, ray_first_contact = 2, ray_backface_cul
 /// The class of a geom with only its bounding box recorded: of a user class, or with unreadable data.
 constexpr std::uint8_t stand_in = 255;
 
-/// The class of a heightfield that is not placeable.
-constexpr std::uint8_t fixed_heightfield = 254;
+constexpr std::uint8_t fixed_heightfield = 254; ///< of a heightfield that is not placeable
 
 /// Reals in geom_field::size; of a stand-in, its bounding box.
 int size_count(int geom_class);
@@ -99,14 +97,11 @@ bool is_space_class(int geom_class);
 
 bool is_heightfield(int geom_class);
 
-/// True for a mesh, convex or heightfield.
 bool has_data(int geom_class);
 
-/// Whether geoms of the class have a position and a rotation.
 bool is_placeable_class(int geom_class);
 
-/// Maximum number of notices of a geom; a reader refuses more.
-constexpr std::uint32_t most_notices = 1000;
+constexpr std::uint32_t most_notices = 1000; ///< of a geom; a reader refuses more
 
 /// Independent of the order of the two. A sum of hashes is independent of the order of pairs.
 std::uint64_t hash_of_pair(std::uint32_t first, std::uint32_t second);
@@ -117,7 +112,6 @@ constexpr std::uint32_t most_polygon_entries = 10000;
 /// Maximum number of vertices or triangles of a mesh, or of samples of a heightfield; a reader refuses more.
 constexpr std::uint32_t most_of_mesh = 100000000;
 
-/// Maximum depth of spaces in spaces.
 constexpr std::uint32_t deepest_nesting = 100;
 } // namespace ode_predictive_space::recording
 

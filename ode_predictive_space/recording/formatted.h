@@ -13,7 +13,6 @@ template <typename... Arguments> std::string formatted(const char *format, Argum
     std::snprintf(text, sizeof text, format, arguments...);
     return text;
 }
-/// Three digits, or all that are before the point.
 inline std::string readable(double value)
 {
     return formatted(value < 1000 ? "%.3g" : "%.0f", value);

@@ -1,5 +1,3 @@
-// Makes and changes single geoms as a recording says.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_GEOM_OF_STATE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_GEOM_OF_STATE_H
 
@@ -9,14 +7,12 @@
 
 namespace ode_predictive_space::recording
 {
-/// Makes a geom of a class without data: a primitive or a stand-in. The class data of a stand-in is the address of its box, six
-/// numbers; 0 until it is set.
+/// Makes a primitive or a stand-in. The class data of a stand-in is the address of its box, six numbers; 0 until it is set.
 dGeomID make_simple_shape(const GeomState &state);
 
 void set_size(dGeomID geom, const GeomState &state);
 void set_flags(dGeomID geom, const GeomState &state);
 
-/// Sets the sublevel, and in a hash space of ODE its levels.
 void set_levels(dSpaceID space, const GeomState &state);
 
 /// Copies the rotation of a pose into a matrix of ODE's, 3 x 4 numbers.

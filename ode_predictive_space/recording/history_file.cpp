@@ -21,8 +21,7 @@ HistoryFile::HistoryFile(const std::string &path, bool only_new)
         ::close(std::exchange(file_, -1));
 }
 
-// Locks the file and then removes its content. A device, and a file on a system without locks, are used without a lock.
-// @return 0, or errno.
+// Locks and empties the file. Devices, and files on a system without locks, are used without a lock. @return 0, or errno.
 int HistoryFile::take()
 {
     struct stat status;

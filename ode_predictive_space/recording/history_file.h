@@ -6,13 +6,11 @@
 
 namespace ode_predictive_space::recording
 {
-/// The file that a recorder writes. It ends with a whole record after each write, also after one that failed. While it is open, it
-/// is locked against other recordings.
+/// The file of a recorder, locked while it is open. It ends with a whole record after each write, also after one that failed.
 class HistoryFile
 {
 public:
-    /// @param only_new a file that exists is left alone (EEXIST); otherwise its content is lost, unless another recording is being
-    /// written to it (EBUSY).
+    /// @param only_new refuses an existing file (EEXIST). Otherwise it is emptied, unless another recording writes it (EBUSY).
     HistoryFile(const std::string &path, bool only_new);
     ~HistoryFile();
     HistoryFile(HistoryFile &&other) noexcept;
@@ -31,7 +29,6 @@ public:
     /// Ends writing because of an error outside of the file.
     void give_up(int error);
 
-    /// @return whether everything is written.
     bool close();
 
     /// Closes it in a forked process; the file remains the parent's.

@@ -7,7 +7,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// A word for the shell.
 std::string quoted(const std::string &word)
 {
     std::string text = "'";

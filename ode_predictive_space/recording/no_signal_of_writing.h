@@ -7,8 +7,7 @@
 
 namespace ode_predictive_space::recording
 {
-/// While it lives, a write by this thread that fails sends no signal: a file at its limit of size (SIGXFSZ) or a pipe without a
-/// reader (SIGPIPE) would end a program that does not expect them.
+/// Holds back SIGXFSZ and SIGPIPE of this thread's failed writes, which would end a program that does not expect them.
 class NoSignalOfWriting
 {
 public:

@@ -1,5 +1,3 @@
-// Counts the notices that predictive spaces get.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_NOTICES_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_NOTICES_H
 
@@ -21,7 +19,7 @@ protected:
     ~NoticeListener() = default;
 };
 
-/// Counts notices by geom. Notices may come from several threads.
+/// Notices may come from several threads.
 class NoticeCounts final : public NoticeListener
 {
 public:
@@ -52,12 +50,10 @@ private:
 
 // For the launcher, which comes from the same build as the library; not for programs.
 extern "C" {
-/// The listener gets the notices of a predictive space until it stops listening or the space is destroyed. Has no effect when it
-/// gets them already.
+/// Gives a predictive space's notices to a listener until it stops listening or the space is destroyed. May be repeated.
 ODE_PREDICTIVE_API void ode_predictive_space_listen(dSpaceID space,
                                                     ode_predictive_space::recording::NoticeListener *listener);
 
-/// The listener gets no more notices from any space.
 ODE_PREDICTIVE_API void ode_predictive_space_stop_listening(ode_predictive_space::recording::NoticeListener *listener);
 }
 

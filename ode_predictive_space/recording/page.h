@@ -37,7 +37,6 @@ struct Plot
     bool logarithmic = false; ///< the y axis
 };
 
-/// The first part of a page, which answers its question.
 struct Answer
 {
     std::string sentence;                        ///< empty: there is no answer
@@ -54,18 +53,13 @@ struct Page
     Answer answer = {}; ///< comes first, with its table and its plots
 };
 
-/// The page as text. Curves and plots without points are left out.
+/// Leaves out curves and plots without points.
 std::string html(const Page &page);
 
-/// Makes the folder unless it exists, and checks that the page can be written there.
-///
-/// @throws std::runtime_error when it cannot.
+/// Makes the folder unless it exists. @throws std::runtime_error when the page cannot be written there.
 void prepare_folder(const std::string &folder);
 
-/// Writes `index.html` into the folder. A page that cannot be written to its end is removed, and an earlier one remains.
-///
-/// @return the file's path.
-/// @throws std::runtime_error when it cannot.
+/// Writes `index.html` completely, or leaves an earlier one as it is. @return the file's path. @throws std::runtime_error
 std::string write_page(const std::string &folder, const Page &page);
 } // namespace ode_predictive_space::recording
 

@@ -8,9 +8,7 @@
 
 namespace ode_predictive_space
 {
-/// Number of bytes of the UTF-8 character that a text begins with; 0 for anything else, and for a control character.
-///
-/// @param text ends with a 0.
+/// Bytes of the UTF-8 character with which a 0-terminated text begins; 0 for a control character and for anything else.
 inline std::size_t printable_character(const char *text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -26,9 +24,7 @@ inline std::size_t printable_character(const char *text)
     return is_control || has_shorter_form ? 0 : size;
 }
 
-/// Calls `put` for each byte of a text; for a byte that is not part of a printable character, with its escape, as \x1b. Uses the C
-/// library alone.
-///
+/// Calls `put` for each byte of a text, for one of no printable character with its escape, as \x1b. Uses the C library alone.
 /// @param end where the text has a 0; it may have others before.
 template <typename Put> void put_printable(const char *text, const char *end, Put put)
 {
@@ -46,7 +42,6 @@ template <typename Put> void put_printable(const char *text, const char *end, Pu
     }
 }
 
-/// The text in one line.
 inline std::string printable(const std::string &text)
 {
     std::string shown;

@@ -36,10 +36,9 @@ public:
         return value;
     }
 
-    /// Takes the next `size` bytes, to an address.
     void take_to(void *place, std::size_t size) { std::memcpy(place, take_bytes(size), size); }
 
-    /// Takes a number of values; memory is allocated only when the record has them.
+    /// Allocates memory only when the record has as many values.
     template <typename Value> void take_all(std::vector<Value> &values, std::uint64_t count)
     {
         const char *const bytes = take_bytes(count * sizeof(Value));

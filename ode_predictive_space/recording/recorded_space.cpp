@@ -1,5 +1,4 @@
-// dPredictiveSpaceRecord(), and listeners to notices. A recorded space gets other virtual functions, so that one that is not
-// recorded costs nothing more.
+// dPredictiveSpaceRecord(), and listeners to notices. Recorded spaces get other virtual functions, so that others cost no more.
 
 #include <algorithm>
 #include <cerrno>
@@ -23,7 +22,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// The recorder and the listeners of a recorded space.
 struct Recorded
 {
     std::unique_ptr<Recorder> recorder; // made by dPredictiveSpaceRecord(); 0: none
@@ -73,7 +71,6 @@ Recorder *recorder_of(dxPredictiveSpace *space)
     return recorded_spaces().all.at(space).recorder.get();
 }
 
-// A recorded collide, and the callback of the program.
 struct Call
 {
     Recorder::Event event;
@@ -121,8 +118,7 @@ public:
         call.event.end();
     }
 
-    // For two spaces ODE calls this for each geom of one of them. A call for a whole space is not recorded, because a replay
-    // would make one call for each of its geoms.
+    // A call for a whole space is not recorded, because a replay would make one call for each of its geoms.
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override
     {
         Recorder *const recorder = recorder_of(this);

@@ -239,8 +239,7 @@ void Recorder::visit(dGeomID geom, bool is_collide)
     }
     if (fields == geom_field::all)
         ++next_geom_;
-    // A new pose of the body changes the pose of a geom with an offset. It is recorded, so that a replay has it to the last
-    // bit.
+    // The pose of a geom with an offset changes with its body. It is recorded, so that a replay has it to the last bit.
     if (body_changed && has_own_pose(state))
         fields |= geom_field::pose;
     known.seen = walk_;
@@ -352,7 +351,7 @@ void Recorder::write_geom(const Known &known, std::uint16_t fields)
     visit_geom_fields(known.state, fields, [&](const void *field, std::size_t size) { record.add_bytes(field, size); });
 }
 
-// Forgets geoms that have left the spaces of this walk. One that comes back is new.
+// A geom that comes back is new.
 void Recorder::forget_absent()
 {
     if (!has_absent_)

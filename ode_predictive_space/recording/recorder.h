@@ -1,5 +1,4 @@
-// Writes a recording: before each collide, the changes of geoms and bodies since the one before. They are found by reading all
-// geoms; notices of predictive spaces are counted.
+// Before each collide, all geoms are read and their changes recorded; notices of predictive spaces are counted.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_RECORDER_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_RECORDER_H
@@ -24,15 +23,13 @@
 
 namespace ode_predictive_space::recording
 {
-/// Records any number of spaces of any kind. Calls from several threads are safe; changes that another thread makes meanwhile
-/// may be recorded in part. When memory runs out, the recording ends after its last whole record, and the program continues.
+/// Calls from several threads are safe; changes that another thread makes meanwhile may be recorded in part. When memory runs
+/// out, the recording ends after its last whole record, and the program continues.
 class Recorder
 {
 public:
-    /// @param file an empty one, taken over.
-    /// @param limit maximum number of bytes; the recording ends before a collide that would exceed it.
-    /// @param note names the program.
-    /// @param is_substitute whether a predictive space stands in place of a space of ODE that the program made.
+    /// @param file an empty one, taken over. @param limit of bytes; the recording ends before a collide that would exceed it.
+    /// @param note names the program. @param is_substitute whether a predictive space replaces a space of ODE in the program.
     Recorder(
         HistoryFile file, std::uint64_t limit, const std::string &note,
         std::function<bool(dSpaceID)> is_substitute = [](dSpaceID) { return false; });
@@ -47,9 +44,7 @@ public:
         /// Must be called for each callback.
         void note(dGeomID first, dGeomID second);
 
-        /// Must be called after the last callback.
-        ///
-        /// @param times in the program; 0 if unknown.
+        /// Must be called after the last callback. @param times in the program; 0 if unknown.
         void end(const EventTimes *times = nullptr);
 
     private:
@@ -61,10 +56,9 @@ public:
         std::uint64_t hash_ = 0;
     };
 
-    /// Must be called before dSpaceCollide(space).
+    /// Must be called before dSpaceCollide(space), and begin_collide2() before dSpaceCollide2(first, second).
     Event begin_collide(dSpaceID space);
 
-    /// Must be called before dSpaceCollide2(first, second).
     Event begin_collide2(dGeomID first, dGeomID second);
 
     /// Whether nothing more is written: it is closed, the limit is reached, the file cannot be written, or memory has run out.

@@ -1,5 +1,5 @@
-// Reads and validates a recording. One that is accepted can be replayed without further checks, even from a hostile file. A
-// file that is cut, as when the program was killed, is accepted up to its last whole record.
+// An accepted recording can be replayed without further checks, even from a hostile file. One that is cut, as when the program
+// was killed, is accepted up to its last whole record.
 
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_RECORDING_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_RECORDING_H
@@ -18,7 +18,6 @@
 
 namespace ode_predictive_space::recording
 {
-/// A file that is no recording, or an inconsistent one.
 struct BadRecording : std::runtime_error
 {
     BadRecording(std::size_t offset, const std::string &what)
@@ -35,7 +34,7 @@ struct Record
     std::size_t begin() const { return content - record_header_size; }
 };
 
-/// A change of a body: the fields of the mask count.
+/// The fields of the mask count.
 struct BodyChange
 {
     std::uint32_t id;
@@ -79,7 +78,6 @@ struct NoticeCount
     std::uint32_t id, number;
 };
 
-/// A collide with its results in the program.
 struct EventSummary
 {
     std::size_t record;
@@ -93,10 +91,9 @@ struct EventSummary
 class Recording
 {
 public:
-    /// @throws BadRecording; std::runtime_error when the file cannot be read.
+    /// @throws BadRecording, as the constructor does; std::runtime_error when the file cannot be read.
     static Recording read(const std::string &path);
 
-    /// @throws BadRecording.
     explicit Recording(std::vector<char> bytes);
 
     const std::vector<Record> &records() const { return records_; }
@@ -129,13 +126,10 @@ public:
     GeomChange geom(const Record &record) const;
     std::vector<NoticeCount> notices(const Record &record) const;
 
-    /// A mesh, convex or heightfield, by its id.
     const DataContent &data(std::uint32_t id) const { return data_[id]; }
 
-    /// The first number of the content: an id.
     std::uint32_t id(const Record &record) const;
 
-    /// The two ids of a collide2.
     std::array<std::uint32_t, 2> asked(const Record &record) const;
 
 private:

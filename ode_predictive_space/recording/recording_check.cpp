@@ -98,8 +98,7 @@ void Recording::Check::take_records()
 
 namespace
 {
-// Only notes, notices and the data of geoms are longer. No recorder has written another record with a larger size, even if it
-// is cut.
+// Only notes, notices and the data of geoms are longer. No recorder has written another larger record, even in a cut recording.
 constexpr std::uint32_t most_of_other_kinds = 1000;
 
 bool can_be_cut(const Record &record)

@@ -134,7 +134,6 @@ struct ByPairs
     std::uint64_t events, lost_contacts, strange;
 };
 
-// @param expected the pairs of spaces by box.
 void find_left_out(const Stage &boxes, const IdPairs &expected, const IdPairs &found, ByPairs &result)
 {
     IdPairs left_out, strange;

@@ -1,5 +1,3 @@
-// Replays a recording in spaces of one kind: the pairs that they find, and their cost.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_REPLAY_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_REPLAY_H
 
@@ -13,7 +11,6 @@
 
 namespace ode_predictive_space::recording
 {
-/// The pairs of one event.
 struct EventPairs
 {
     std::uint32_t count;
@@ -22,8 +19,7 @@ struct EventPairs
     std::uint64_t hash_of_unbounded;
     bool operator==(const EventPairs &other) const { return count == other.count && hash == other.hash; }
 
-    /// ODE's sweep-and-prune spaces report unbounded geoms with everything; they and quadtrees are unbounded inside other
-    /// spaces.
+    /// ODE's sweep-and-prune spaces report unbounded geoms with everything; they and quadtrees are unbounded in other spaces.
     bool same_but_more_unbounded(const EventPairs &other) const
     {
         return count - unbounded == other.count - other.unbounded &&
@@ -40,11 +36,9 @@ struct Pairs
     std::uint64_t strange = 0;       ///< pairs that the spaces by box do not have, or that are reported twice
 };
 
-/// Replays without a clock.
 Pairs find_pairs(const Recording &recording, SpaceKind kind);
 
-/// The first pairs of one event that only one of two kinds of spaces finds: ": geoms 3 and 7 only in hash, ...". Empty: there
-/// are none.
+/// The first pairs of an event that only one of two kinds finds: ": geoms 3 and 7 only in hash, ..."; empty without any.
 std::string differing_pairs(const Recording &recording, SpaceKind kind, SpaceKind reference, std::size_t event);
 
 /// Times in seconds.
@@ -63,8 +57,6 @@ struct Cost
     double processor_time = 0;         ///< of the whole process from the first event on, in seconds
 };
 
-/// Measures a replay.
-///
 /// @param most_events no more are replayed. @param most_seconds no event begins later.
 Cost measure(const Recording &recording, SpaceKind kind, std::size_t most_events, double most_seconds);
 
@@ -84,7 +76,6 @@ struct Callbacks
 std::string judge_callbacks(const Recording &recording, std::size_t most_events, double most_seconds,
                             Callbacks &callbacks);
 
-/// The part of a replay whose instructions are counted.
 struct CountedEvents
 {
     std::size_t from = 0;      ///< first event
@@ -94,7 +85,6 @@ struct CountedEvents
     bool whole_life = false;   ///< also the making of all geoms, and their end
     bool has(std::size_t event) const { return event >= from && event < to && (event - from) % every == 0; }
 
-    /// Number of counted events in a recording with this number of events.
     std::size_t count_of(std::size_t events) const
     {
         return from < std::min(to, events) ? (std::min(to, events) - from - 1) / every + 1 : 0;

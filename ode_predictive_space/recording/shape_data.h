@@ -22,17 +22,12 @@ public:
         bool is_new; ///< its content has no record yet
     };
 
-    /// Reads the arrays of a mesh, convex or heightfield as a record has them, without the id.
-    ///
-    /// @return false when they cannot be read, or when a reader would refuse them.
+    /// Reads arrays as a record has them, without the id. @return false if they are unreadable, or a reader would refuse them.
     static bool read(dGeomID geom, std::string &content);
 
-    /// Finds or makes the entry of a geom's arrays.
-    ///
-    /// @param collide a number of the collide that begins. Arrays at a known address are read again once in it, because their content
-    /// may have changed; 0: they are not read again. A heightfield with a callback is sampled once.
-    /// @param content receives the content of a new entry.
-    /// @return as read() does.
+    /// Finds or makes the entry of a geom's arrays. @return as read() does. @param content receives the content of a new entry.
+    /// @param collide number of the collide that begins. Known arrays are read again once in it, because their content may have
+    /// changed, except for a heightfield with a callback; 0: they are not read again.
     bool find(dGeomID geom, std::uint64_t collide, Entry &entry, std::string &content);
 
 private:

@@ -29,10 +29,8 @@ constexpr std::array<SpaceKind, 8> all_kinds = {SpaceKind::own,      SpaceKind::
 
 const char *name_of(SpaceKind kind);
 
-/// @param proximity dPredictiveProximityBox, ...
-SpaceKind predictive_kind(int proximity);
+SpaceKind predictive_kind(int proximity); ///< dPredictiveProximityBox, ...
 
-/// The kind of a recorded space, as the program made it.
 SpaceKind own_kind(const GeomState &space);
 
 /// The kind that it had while it was recorded: predictive also where it stood in the place of one of ODE's.
@@ -40,12 +38,10 @@ SpaceKind recorded_kind(const GeomState &space);
 
 bool is_predictive(SpaceKind kind);
 
-/// "hash", or "predictive, by box".
-std::string full_name_of(SpaceKind kind);
+std::string full_name_of(SpaceKind kind); ///< "hash", or "predictive, by box"
 
 std::optional<SpaceKind> kind_named(const std::string &name);
 
-/// Does it report only a part of the pairs whose boxes overlap?
 bool leaves_out_pairs(SpaceKind kind);
 } // namespace ode_predictive_space::recording
 

@@ -216,7 +216,6 @@ void Stage::make(Geom &geom, std::uint32_t id)
 
 namespace
 {
-// Takes over the fields that a record has.
 void update(GeomState &state, const GeomChange &change)
 {
     const GeomState &now = change.state;
@@ -260,7 +259,6 @@ void Stage::change_geom(const GeomChange &change)
         place_in_space(geom);
 }
 
-// Body, offset, pose.
 void Stage::place(std::uint32_t id, std::uint16_t fields)
 {
     Geom &geom = geoms_[id];
@@ -317,8 +315,7 @@ bool is_at(const dxPosR &place, const Pose &pose)
 }
 } // namespace
 
-// The pose of a geom with an offset is left to ODE, which computes it from the pose of the body when it is needed, unless that
-// gives another pose than the recorded one.
+// Leaves the pose of a geom with an offset to ODE, unless ODE computes another one from the body than was recorded.
 void Stage::take_pose(const Geom &geom)
 {
     dxGeom &self = *geom.geom;
@@ -331,8 +328,7 @@ void Stage::take_pose(const Geom &geom)
     self.gflags &= ~GEOM_POSR_BAD;
 }
 
-// Is called at once for each change, as in the program: a predictive space takes a second notice at the same pose for a change
-// of the shape.
+// Reports each change at once, as the program did: to a predictive space, a second notice at the same pose means a new shape.
 void Stage::report_move(std::uint32_t id)
 {
     dGeomMoved(geoms_[id].geom);

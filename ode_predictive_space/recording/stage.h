@@ -1,5 +1,3 @@
-// The spaces, geoms and bodies of a replay.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_STAGE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_STAGE_H
 
@@ -16,12 +14,11 @@
 
 namespace ode_predictive_space::recording
 {
-/// ODE must be initialised. There may be any number of stages.
+/// The spaces, geoms and bodies of a replay. ODE must be initialised.
 class Stage
 {
 public:
-    /// @param recording outlives the stage.
-    /// @param in_spaces false: geoms are put in no space, and nothing can be collided.
+    /// @param recording outlives the stage. @param in_spaces false: geoms are put in no space, and nothing can be collided.
     Stage(const Recording &recording, SpaceKind kind, bool in_spaces = true);
     ~Stage();
     Stage(const Stage &) = delete;
@@ -33,12 +30,10 @@ public:
     /// Calls dSpaceCollide() or dSpaceCollide2() for an event; nothing with SpaceKind::none.
     void ask(const Record &record, void *data, dNearCallback *callback);
 
-    /// The number of a geom in the recording.
     static std::uint32_t id_of(dGeomID geom);
 
     dGeomID geom(std::uint32_t id) const { return geoms_[id].geom; }
 
-    /// Is only its box recorded?
     bool is_stand_in(std::uint32_t id) const { return geoms_[id].state.geom_class == stand_in; }
 
 private:

@@ -1,5 +1,3 @@
-// The recorded state of geoms and bodies.
-
 #ifndef ODE_PREDICTIVE_SPACE_RECORDING_STATE_H
 #define ODE_PREDICTIVE_SPACE_RECORDING_STATE_H
 
@@ -10,8 +8,7 @@
 
 namespace ode_predictive_space::recording
 {
-/// Position, rotation by rows.
-using Pose = std::array<dReal, 12>;
+using Pose = std::array<dReal, 12>; ///< position, rotation by rows
 
 struct BodyState
 {
@@ -26,7 +23,6 @@ struct SpaceState
     std::int32_t min_level = 0, max_level = 0; ///< of a hash space
 };
 
-/// The role of a space in the program.
 struct SpaceService
 {
     std::uint8_t predictive =
@@ -62,7 +58,6 @@ GeomState state_of(dGeomID geom);
 /// The geom to record: the geom inside a transform, if its class can be recorded, otherwise the geom itself.
 dGeomID shape_of(dGeomID geom);
 
-/// Keeps only the bounding box of the geom.
 void make_stand_in(dGeomID geom, GeomState &state);
 
 /// The fields in which two states differ, bit by bit: a mask of body_field or geom_field.

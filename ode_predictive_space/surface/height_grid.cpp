@@ -96,7 +96,6 @@ float HeightGrid::highest_below(int column, int row) const
     return highest;
 }
 
-// Largest gap along an axis between a box and the solid below a square.
 double HeightGrid::distance_to(const Eigen::AlignedBox3d &box, const Square &square) const
 {
     const Level &level = levels_[static_cast<std::size_t>(square.level)];

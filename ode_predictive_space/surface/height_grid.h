@@ -51,9 +51,8 @@ public:
     double width() const { return (size_.columns - 1) * size_.cell_x; }
     double depth() const { return (size_.rows - 1) * size_.cell_z; }
 
-    /// Are all heights finite in single precision? @pre the grid is ready.
+    /// Are all heights finite in single precision? @pre of this and largest(): the grid is ready.
     bool is_finite() const { return std::isfinite(largest_); }
-    /// The largest absolute height. @pre the grid is ready.
     double largest() const { return largest_; }
     double height(int column, int row) const { return samples_[index(column, row)]; }
 

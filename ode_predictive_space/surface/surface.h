@@ -16,8 +16,7 @@ public:
     Surface(const Surface &) = delete;
     Surface &operator=(const Surface &) = delete;
 
-    /// Number of triangles.
-    virtual std::size_t count() const = 0;
+    virtual std::size_t count() const = 0; ///< of triangles
 
     /// Continues the build by up to `steps` steps of about 20 ns each. @return the unused steps.
     virtual std::size_t build(std::size_t steps) = 0;

@@ -1,5 +1,3 @@
-// The point of a triangle that is nearest to another point.
-
 #ifndef ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_H
 #define ODE_PREDICTIVE_SPACE_SURFACE_TRIANGLE_H
 

@@ -49,7 +49,6 @@ public:
         current_.divides = false;
     }
 
-    // @return false when the tree is complete.
     bool step()
     {
         if (current_.next == current_.range.end && !finish_pass())
@@ -109,7 +108,6 @@ private:
         return triangle.center()[current_.axis] < current_.middle;
     }
 
-    // Begins the next pass. @return false when no range is left to divide.
     bool finish_pass()
     {
         if (!current_.divides)

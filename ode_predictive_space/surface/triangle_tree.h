@@ -68,8 +68,7 @@ public:
     /// The root is the first node. @pre the tree is ready.
     const std::vector<Node> &nodes() const { return nodes_; }
 
-    /// Triangle numbers in the order of the leaves.
-    const std::vector<std::uint32_t> &order() const { return order_; }
+    const std::vector<std::uint32_t> &order() const { return order_; } ///< triangle numbers, leaf by leaf
 
     std::size_t bytes() const override;
 
