@@ -84,8 +84,7 @@ nlohmann::json measure(const WorldSpec &spec, SpaceKind kind, int ticks)
             {"near pairs", memory.near}};
 }
 
-/// The largest sample of the second half of a run, divided by that of the first half. The first tenth, in which a space still
-/// fills up, does not count.
+/// The largest sample of a run's second half, divided by that of the first half after a tenth, in which a space fills up.
 nlohmann::json measure_growth(const WorldSpec &spec, int ticks)
 {
     constexpr int samples = 100;

@@ -1,5 +1,4 @@
-// The paper's Table 1, measured here: the gains of the predictive space over four others in the paper's experiment, the world
-// mix.
+// The paper's Table 1, measured here: gains of the predictive space over four others in the paper's experiment, the world mix.
 
 #include "demos/runs/world_run.h"
 #include "tests/benchmarks/contenders/contenders.h"

@@ -1,5 +1,3 @@
-// The benchmarks as a user runs them: exit status, output, result file.
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,5 +1,3 @@
-// Common parts of the small programs of this folder: options, a table, a file with the same figures.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
 
@@ -40,10 +38,8 @@ inline void print_records(const nlohmann::json &records)
     std::cout << '\n' << std::flush;
 }
 
-/// main() of a program that measures and prints. Its options are --json FILE and those that `add_options` adds.
-///
-/// @param measure prints, and returns records for the file.
-/// @return the exit status: 0, or 2 after a failure or for a wrong command line.
+/// main() of a program that measures and prints, with the options --json FILE and those that `add_options` adds; `measure`
+/// returns records for the file. @return the exit status: 0, or 2 after a failure or for a wrong command line.
 template <typename AddOptions, typename Measure>
 int run_program(int argc, char **argv, const char *text, AddOptions add_options, Measure measure)
 {

@@ -26,7 +26,6 @@ struct Sample
     haptics::Vector3 force;
 };
 
-/// The probe's path: down into the ridges, then in a circle.
 class Circle
 {
 public:

@@ -1,5 +1,3 @@
-// The ridge measurement of bench_servo, in simulated time.
-
 #include "tests/benchmarks/ridge_measurement.h"
 
 #include "demos/runs/spaces.h"

@@ -15,7 +15,6 @@ void add_parts(std::vector<Row> &all, const Row &row, int half_seconds)
         all.push_back({row.world, row.objects, {i * per_part, per_part}, {}, names[i]});
 }
 
-/// Scenes with one kind of motion each, along given paths.
 const std::vector<Row> &scenes()
 {
     static const std::vector<Row> all = {

@@ -1,5 +1,3 @@
-// The measured worlds, with their sizes and the measured ticks.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_ROWS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_ROWS_H
 

@@ -10,8 +10,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// The scene is a gas with a probe in its middle that a hand moves. Objects are moved between the ticks, as in a program that
-/// moves its objects along given paths.
+/// A gas with a probe in its middle that a hand moves. Objects are moved between the ticks, as by a program with given paths.
 struct ServoSettings
 {
     int objects = 10000;

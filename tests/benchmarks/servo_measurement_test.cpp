@@ -1,5 +1,3 @@
-// The loop measurement of bench_servo, in simulated time.
-
 #include "tests/benchmarks/servo_measurement.h"
 
 #include <gtest/gtest.h>

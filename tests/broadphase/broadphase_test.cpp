@@ -326,8 +326,7 @@ TEST(BroadphaseMemory, StaysFlatInAProgramWithoutReports)
     EXPECT_LE(world.broadphase.near_pairs(), 200u);
 }
 
-// Each leap goes farther than any object has been, where single precision cannot resolve small gaps. The envelopes are finite
-// or infinite.
+// Each leap goes farther than any object has been, where single precision cannot resolve small gaps.
 TEST(Broadphase, ObjectsThatLeapFarAwayAreTestedExactly)
 {
     constexpr int pairs = 40;

@@ -222,8 +222,7 @@ std::vector<SweptProxy> spread_cubes(Random &random, std::size_t count)
     return cubes;
 }
 
-// Nodes visited, per level of an ideal tree and per leaf found, in 100 queries with cubes of the tree. The ratio is bounded if
-// a query is O(log n + k).
+// Nodes visited, per level of an ideal tree and per leaf found, in 100 queries: bounded if a query is O(log n + k).
 double nodes_per_level_and_leaf(const EnvelopeTree &tree, const std::vector<SweptProxy> &cubes)
 {
     Effort effort;
@@ -292,7 +291,6 @@ TEST(EnvelopeTree, QueriesThatGoDownTogetherFindWhatEachFindsAlone)
 
 TEST(EnvelopeTree, LargeQueriesFindEachLeafOnce)
 {
-    // The result is larger than the buffer of a walk.
     Random random(2);
     CheckedTree checked;
     for (const SweptProxy &cube : spread_cubes(random, 20000))

@@ -20,7 +20,6 @@ double any_bits(Random &random)
     return value;
 }
 
-// A value on a float, beside it, or halfway to the next one.
 double near_a_float(Random &random)
 {
     const std::uint32_t bits = static_cast<std::uint32_t>(random.bits());

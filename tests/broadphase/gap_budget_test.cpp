@@ -20,9 +20,7 @@ protected:
             budget.note_new_pair(mesh);
     }
 
-    // Reports all pairs. Each allowed check costs about as much as `cost` contacts and finds nothing.
-    //
-    // @return the total cost of the checks.
+    // Reports all pairs. Each allowed check costs some `cost` contacts and finds nothing. @return the total cost of the checks.
     float check_in_vain(int reports, float cost)
     {
         const float work = cost / tuning::cost_of_reach;

@@ -18,7 +18,6 @@ Vector3 far_place(Random &random)
     return random.vector(std::pow(10, random.uniform(0, 9)));
 }
 
-// An object at most a thousand sizes away from the origin, on each axis.
 Object near_object(Random &random, const Vector3 &origin)
 {
     const double size = std::pow(10, random.uniform(-6, 2));

@@ -171,7 +171,6 @@ TEST(Place, TheBoxOfTheProgramIsHeldWhateverItIs)
         }
 }
 
-// Two boxes that nearly touch, each measured by formula or computed by the program.
 struct TwoBoxes
 {
     Box boxes[2];

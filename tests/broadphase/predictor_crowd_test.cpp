@@ -1,5 +1,3 @@
-// Predictions of many objects that are close together, or that move in steps of any length.
-
 #include "ode_predictive_space/broadphase/predict/predictor.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +12,6 @@ namespace
 {
 constexpr double ball_radius = 0.1;
 
-// A lattice of balls that fly in one direction, so close together that envelopes of the first reach overlap.
 TEST(Predictor, TheReachShrinksWhereNeighboursAreTestedInVainAndGrowsWhereThereAreNone)
 {
     World world;

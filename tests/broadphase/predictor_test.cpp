@@ -17,7 +17,6 @@ namespace
 constexpr double step = World::step;
 constexpr double radius = 0.1;
 
-// One moving object. The others stand still, far away.
 class Lone
 {
 public:
@@ -74,7 +73,6 @@ Object moving_ball(const Vector3 &velocity)
     return ball({0, 0, 0}, radius, step * velocity);
 }
 
-// A ball without a body, so without a known velocity.
 Object alone(const Vector3 &centre)
 {
     Object object = ball(centre, radius, {0, 0, 0});
@@ -130,7 +128,6 @@ TEST(Predictor, JitterEndsInSlack)
     EXPECT_EQ(lone.predictions(), before);
 }
 
-// The program moves the object while its body reports another velocity.
 TEST(Predictor, AVelocityThatExplainsNothingIsNotTrusted)
 {
     Lone lone(moving_ball({-3, 0, 0}));
@@ -147,7 +144,6 @@ TEST(Predictor, AVelocityThatExplainsNothingIsNotTrusted)
     EXPECT_LT(lone.predictions() - before, 2000u / 50);
 }
 
-// Reaches of minimum jerk between random points, with a tremor.
 Vector3 hand(Random &random, int tick, Vector3 &from, Vector3 &to)
 {
     constexpr int reach = 700;
@@ -223,7 +219,6 @@ TEST(Predictor, ObjectsThatWereAddedTogetherDoNotLeaveTheirEnvelopesTogether)
     EXPECT_GT(reaches.size(), 90u);
 }
 
-// Sizes, places and velocities have any magnitude.
 TEST(Predictor, AnEnvelopeHoldsItsObjectWhenItIsMade)
 {
     Random random(4);

@@ -59,7 +59,6 @@ TEST_P(AnyRay, MeetsWhateverClippingMeetsAndHardlyMore)
     {
         const Vector3 start = origin + random.vector(place.length);
         Vector3 end = origin + random.vector(place.length);
-        // Some lines are along an axis, in a plane, or a point.
         for (int axis = 0; axis < 3; ++axis)
             if (random.chance(0.1))
                 end[axis] = start[axis];

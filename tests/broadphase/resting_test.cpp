@@ -14,8 +14,7 @@ namespace
 {
 constexpr int long_enough = 200;
 
-// A row of boxes of which each touches the next, a pair with a tiny gap, and a distant object that always moves, so that time
-// passes.
+// A row of boxes of which each touches the next, a pair with a tiny gap, and a far object that moves, so that time passes.
 class Resting : public testing::Test
 {
 protected:

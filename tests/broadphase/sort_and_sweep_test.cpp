@@ -46,8 +46,7 @@ TEST(SortAndSweep, FindsTheOverlappingPairsOfAnyNumberOfBoxes)
             expect_all_pairs(sweep, random_items(random, count, 1, 1));
 }
 
-// Enough boxes to be cut into slabs, with all widths: many are in one slab, some in a few, some in all. If all meet along the
-// axis, the last of a slab meets the first of the next.
+// Boxes of all widths, enough for several slabs. If all meet along the axis, the last of a slab meets the first of the next.
 TEST(SortAndSweep, BoxesInSeveralSlabsAreFoundOnce)
 {
     Random random(8);
@@ -152,8 +151,7 @@ Items grid_row_by_row(int side, int turn)
 }
 
 // A sample with an even stride may hit a single plane of a grid, and see no spread across it. Once, the row-by-row order took
-// 4,029,696 exact comparisons, and the shuffled one 355. Needless comparisons, with boxes that begin after the end of a box,
-// must be few.
+// 4,029,696 exact comparisons, and the shuffled one 355.
 TEST(SortAndSweep, TheOrderOfAGridCostsFewComparisons)
 {
     Random random(10);

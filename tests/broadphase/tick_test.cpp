@@ -1,5 +1,3 @@
-// The tick as a whole: when time passes, what is counted, how the work is spread.
-
 #include <gtest/gtest.h>
 
 #include "tests/broadphase/support/calm_gas.h"

@@ -1,5 +1,3 @@
-// Memory is released when most objects are gone.
-
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Both implementations of the vector arithmetic give the same bits: this file is compiled into two test programs that expect
-// the same constants.
+// Both implementations of the vector arithmetic give the same bits: two test programs with this file expect the same constants.
 
 #include <cstring>
 
@@ -12,7 +11,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// FNV-1a.
 class Hash
 {
 public:
@@ -69,8 +67,7 @@ private:
     Random random_{1};
 };
 
-// A change of the formulas changes this number. It may be replaced if both programs agree on the new one; the commit states the
-// change.
+// A change of the formulas changes this number. Both programs must agree on the new one; the commit states the change.
 TEST(Twin, TightBoxesEnvelopesAndNearPairsAreTheSameToTheLastBit)
 {
     Swarm flock;

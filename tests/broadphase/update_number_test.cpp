@@ -154,7 +154,6 @@ public:
     }
 };
 
-// The object moves once while the pair is postponed, and once after it has come to rest.
 TEST(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
 {
     const Pairs none, both = {{1, 2}};

@@ -1,7 +1,5 @@
 // A heap of boxes, spheres and cylinders in DART's world, with ODE as its collision detector.
-//
-// Usage: dart_heap [bodies] [steps] [near|far]. With "far", the last body is 1e10 m away. Prints the final positions of the
-// others.
+// Usage: dart_heap [bodies] [steps] [near|far]. With "far", the last body is 1e10 m away. Prints the others' final positions.
 
 #include <cstdio>
 #include <cstdlib>

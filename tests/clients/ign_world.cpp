@@ -1,6 +1,5 @@
 // Gazebo's physics: a world in SDF, read by ign-physics and moved by its engine "dartsim", which is DART with ODE as its
 // collision detector. Boxes, spheres and cylinders fall on a floor; every fifth model has a second link on a hinge.
-//
 // Usage: ign_world [models] [steps] [near|far|nan]. With "far", the last model is put 1e10 m away before the first step; with
 // "nan", its height is not a number. Prints the final positions of the others.
 

@@ -1,5 +1,4 @@
 // ODE alone: boxes and spheres fall on a floor, in a hash space as in ODE's manual.
-//
 // Usage: ode_heap [objects] [steps] [near|far|nan]. With "far", the last object is 1e10 m away; with "nan", it has no body and
 // a height that is not a number. Prints the final positions of the others.
 

@@ -12,7 +12,6 @@ using Contract = OdeTest;
 
 constexpr int crowd = 3000;
 
-// Many disabled spheres in one place, and a distant body that moves, so that time passes.
 std::vector<dGeomID> disabled_crowd(Scenario &scene)
 {
     std::vector<dGeomID> geoms;
@@ -75,7 +74,6 @@ TEST_F(Contract, 01_EnabledGeomsHaveTheirPairsAtThatVeryTick)
             for (std::size_t i = 505; i < 515; ++i)
                 (dGeomIsEnabled(geoms[i]) ? dGeomDisable : dGeomEnable)(geoms[i]);
             run(scene, 1);
-            // Nothing moves between these two.
             dGeomEnable(geoms[600]);
             scene.note(unordered(collide(scene.space())));
             dGeomDisable(geoms[600]);

@@ -33,7 +33,6 @@ std::vector<dReal> extremes_and_no_numbers()
 }
 const std::vector<dReal> extremes = extremes_and_no_numbers();
 
-// Twelve spheres in a row, each touching the next, drift slowly; one of them goes to extremes and comes back.
 void run_row(Scenario &scene, dReal extreme, bool with_bodies)
 {
     std::vector<dGeomID> geoms;

@@ -1,5 +1,4 @@
-// A space of few geoms compares all pairs until it has to predict. Its reports are the same before, during and after the
-// change.
+// A space of few geoms compares all pairs until it has to predict. Its reports stay the same through the change.
 
 #include <ode_predictive_space/predictive_space.h>
 

@@ -1,5 +1,3 @@
-// Contract 12: geoms of every class, moved, turned, offset, resized and carried.
-
 #include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/scenario.h"
 
@@ -11,7 +9,6 @@ namespace
 {
 using Contract = OdeTest;
 
-// A field of small boxes in the path of every geom.
 void put_posts(Scenario &scene)
 {
     for (int i = 0; i < 117; ++i)

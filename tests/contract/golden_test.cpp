@@ -1,8 +1,7 @@
 // The order of callbacks is the same in every run, with every allocator, compiler and build type: each scene has a golden hash.
-// With ODE in single precision the hashes differ, as envelopes of predictions include the rounding of its boxes.
-//
 // Places, sizes and velocities are multiples of 1/1024, and nothing turns, so bounding boxes have no rounding; the scene sets
-// positions, not ODE; no function of the mathematical library is called.
+// positions, not ODE; no function of the mathematical library is called. With ODE in single precision the hashes differ, as
+// envelopes of predictions include the rounding of its boxes.
 
 #include <memory>
 
@@ -54,7 +53,6 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-// Spheres and boxes, with and without bodies, that fly through a room, and the changes of a program to them.
 class Flock
 {
 public:

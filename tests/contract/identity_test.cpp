@@ -1,5 +1,3 @@
-// Contract 17 and 18: the identity of the space; the tiny scenes of many programs.
-
 #include <random>
 #include <utility>
 

@@ -1,5 +1,3 @@
-// Contract 2 to 6, 10 and 15: geoms come, go and change spaces; spaces are destroyed in any order.
-
 #include <set>
 
 #include <ode_predictive_space/predictive_space.h>
@@ -232,7 +230,6 @@ TEST_F(Contract, 06_AddCleanGeomWhileOthersAreDirty)
     dSpaceDestroy(space);
 }
 
-// A geom is removed and added again, as by a program that changes the groups of its objects.
 std::size_t pairs_after_putting_back(dSpaceID space)
 {
     dGeomID put_back = dCreateSphere(space, 1), other = dCreateSphere(space, 1);

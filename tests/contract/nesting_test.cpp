@@ -1,5 +1,3 @@
-// Contract 11: nested spaces.
-
 #include <functional>
 
 #include <ode_predictive_space/predictive_space.h>
@@ -14,7 +12,6 @@ namespace
 {
 using Contract = OdeTest;
 
-// The callback of programs with nested spaces recurses into each pair that has one.
 void recurse(void *data, dGeomID first, dGeomID second)
 {
     static_cast<Pairs *>(data)->push_back({geom_number(first), geom_number(second)});
@@ -78,7 +75,6 @@ void run_cars(Scenario &scene, const MakeSpace &make)
     {
         scene.step(0.05);
         recursive_tick(scene);
-        // The first part leaves and comes back without the rest of the car.
         if (tick % 50 == 20)
             dBodySetPosition(bodies[0], 0, 6, 0);
         if (tick % 50 == 25)
@@ -127,7 +123,6 @@ TEST_F(Contract, 11_QuadtreeInPredictive)
     expect_as_simple([](Scenario &scene) { run_cars(scene, make_quadtree); });
 }
 
-// A space of the scenario's kind with four geoms that drift through those of an outer space of another kind.
 void run_inside(Scenario &scene, const MakeSpace &make_outer)
 {
     dSpaceID outer = make_outer(scene, nullptr);

@@ -332,7 +332,6 @@ TEST_F(Contract, 11_InEachNestAnyTwoQuestionsSeeTheMovesBetweenThem)
     expect_in_all_nests(histories);
 }
 
-// Any two queries to any two of the spaces, in both orders, with moves of each mover in between.
 Steps long_walk()
 {
     Steps asked;
@@ -355,8 +354,7 @@ TEST_F(Contract, 11_InEachNestAnySpaceMayBeAskedBetweenMoves)
     expect_in_all_nests({long_walk()});
 }
 
-// A space of the level moves to another parent and back. It is dirty itself, or its new parent is cleaned first: otherwise ODE
-// aborts, see below.
+// A space of the level moves to another parent and back. It is dirty, or its new parent is cleaned first: else ODE aborts.
 Steps there_and_back(std::size_t level, std::size_t target, bool dirty, Act before, Act after)
 {
     Steps steps{{before, 0}, {Act::move, innermost}};

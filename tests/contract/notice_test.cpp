@@ -28,7 +28,6 @@ TEST_F(Notice, AGeomThatStopsWithoutASign)
     });
 }
 
-// Size and place change in either order, once or repeatedly before a tick. Each change has its own notice.
 TEST_F(Notice, AGeomThatGrowsAndMovesBetweenTwoTicks)
 {
     expect_as_simple([](Scenario &scene) {
@@ -93,7 +92,6 @@ TEST_F(Notice, AGeomThatLosesItsBodyAndIsStretched)
 // Out of reach for a unit cube in any orientation, but not for a stretched one.
 constexpr dReal out_of_reach = 1.6;
 
-// A cube on a body, in a scene with enough geoms for predictions, and a ball that only a stretched cube reaches.
 dBodyID cube_beside_ball(Scenario &scene)
 {
     const dBodyID body = scene.body(scene.box(1, 0, 0, 0), 0, 0, 0);
@@ -150,8 +148,7 @@ TEST_F(Notice, ABodyThatIsStretchedAndMovedBeforeOneTick)
 }
 
 // dGeomRaySet() writes the third column of the matrix that all geoms of its body share; the others get no notice until the body
-// moves. A thin plate rises, stops below a ball and creeps on, inside an envelope in which its centre is watched. With a matrix
-// that is no rotation its box reaches the ball.
+// moves. With a matrix that is no rotation, the box of a plate inside its envelope reaches a ball.
 TEST_F(Notice, ARayThatChangesTheMatrixOfItsBody)
 {
     for (const bool is_in_space : {true, false})

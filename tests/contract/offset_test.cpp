@@ -1,5 +1,4 @@
-// Geoms at an offset from their body, as in robots: their places follow from the pose of the body, and may also change with the
-// offset.
+// Geoms at an offset from their body, as in robots: their places follow the body's pose, and may change with the offset.
 
 #include <cmath>
 #include <functional>
@@ -17,7 +16,6 @@ using Offset = OdeTest;
 
 constexpr dReal carried_at = 0.4;
 
-// A unit cube at an offset, in a scene with enough geoms for predictions. It is alone, and known after some ticks.
 dGeomID carried_cube(Scenario &scene)
 {
     dGeomID cube = scene.box(1, 0, 0, 0);
@@ -186,8 +184,7 @@ TEST_F(Offset, ALongOffsetLeadsBackToTheOthers)
     });
 }
 
-// The offset grows and the body moves in the opposite direction, so that the geom hardly moves: no single change leads out of
-// its envelope. At the end the geom moves on, out of the envelope.
+// The offset grows and the body moves back, so that the geom hardly moves: no single change leads out of its envelope.
 TEST_F(Offset, ALongOffsetThatHasGrownInSmallSteps)
 {
     const dReal far = sizeof(dReal) == sizeof(double) ? 1e8 : 1e4, envelope = 1003, step = 500;
@@ -276,7 +273,6 @@ unsigned long unchanged(dSpaceID space)
     return counters.unchanged;
 }
 
-// Each class that has a formula, far from the others and near them, turned and not.
 TEST_F(Offset, ABodyThatIsSetWhereItIsMovesNoGeom)
 {
     const std::vector<std::function<dGeomID(dSpaceID)>> classes{

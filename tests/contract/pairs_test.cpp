@@ -1,5 +1,3 @@
-// Contract 1: exactly the pairs that a simple space reports.
-
 #include <random>
 
 #include "tests/contract/support/geom_zoo.h"

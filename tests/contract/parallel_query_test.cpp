@@ -47,7 +47,6 @@ class ParallelQuery : public OdeTest, public ::testing::WithParamInterface<std::
 protected:
     static constexpr int side = 20, threads = 4, rounds = 3000;
 
-    // Still and falling spheres and boxes, in two layers, some with an offset from their body; and a nested space.
     static void fill(Scenario &scene)
     {
         for (int i = 0; i < side * side; ++i)
@@ -91,7 +90,6 @@ protected:
             dSpaceCollide2(first, second, data, note_and_descend);
     }
 
-    // Calls act(i) in all threads, which start together.
     template <typename Act> static void in_threads(Act act)
     {
         std::atomic<int> ready{0};

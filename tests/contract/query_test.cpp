@@ -1,5 +1,3 @@
-// Contract 9: dSpaceCollide2() as in the built-in spaces.
-
 #include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
@@ -300,7 +298,6 @@ TEST_F(Contract, 09_WhateverChangesBetweenTwoQueriesIsSeen)
     });
 }
 
-// A small space with a nested one, beside a large space. One geom of the small space and one of the nested space drift.
 struct TwoSpaces
 {
     dSpaceID inner;

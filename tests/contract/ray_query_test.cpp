@@ -14,9 +14,7 @@ namespace
 {
 using Contract = OdeTest;
 
-// Geoms of every bounded kind, spread over a room.
-//
-// @param away distance of the room from the origin, along x.
+// Geoms of every bounded kind, spread over a room. @param away distance of the room from the origin, along x.
 std::vector<dGeomID> fill_room(Scenario &scene, int count, dReal away = 0)
 {
     std::vector<dGeomID> geoms;

@@ -1,5 +1,3 @@
-// Contract 7 and 8: locks, and the calls that a callback may make.
-
 #include <algorithm>
 #include <functional>
 #include <set>

@@ -32,7 +32,6 @@ TEST_F(Contract, 16_ATickBesideThatOfAnotherThreadIsRefused)
             dSpaceID space = visit.space;
             visit.complaints += ode_complaint([&] { EXPECT_TRUE(collide(space).empty()); });
             visit.complaints += ode_complaint([&] { EXPECT_TRUE(collide2(as_geom(space), as_geom(space)).empty()); });
-            // Queries are allowed.
             EXPECT_EQ(collide2(dSpaceGetGeom(space, 0), as_geom(space)).size(), 3u);
         }).join();
     });
@@ -41,7 +40,6 @@ TEST_F(Contract, 16_ATickBesideThatOfAnotherThreadIsRefused)
     EXPECT_EQ(collide(scene.space()).size(), 3u);
 }
 
-// A user class whose callback for the bounding box queries the space that needs the box.
 class AskingClass
 {
 public:

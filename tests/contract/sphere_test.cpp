@@ -319,9 +319,7 @@ private:
     std::vector<Slot> geoms_;
 };
 
-// Expects the reported pairs to follow the definition.
-//
-// @return the number of pairs whose boxes overlap but that are not reported.
+// Expects pairs that follow the definition. @return the number of pairs whose boxes overlap but that are not reported.
 int compare(const GeomPairs &by_boxes, Pairs reported, const std::string &when)
 {
     reported = unordered(reported);
@@ -397,8 +395,7 @@ dGeomID create_plate(dSpaceID space)
     return dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
 }
 
-// Once, predictions used a smaller sphere around the mesh's position: the pair came later than in a new space, and
-// dPredictiveSpaceValidate() found it missing.
+// Once, predictions used a smaller sphere around the mesh's position: the pair came later than in a new space.
 TEST_F(ReportBySphere, ComesInTimeForAMeshOffItsOrigin)
 {
     Scenario scene(SpaceKind::predictive);

@@ -1,5 +1,3 @@
-// Contract 16: spaces in different threads, and geoms that worker threads move.
-
 #include <thread>
 
 #include <ode_predictive_space/predictive_space.h>

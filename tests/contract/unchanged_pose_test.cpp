@@ -156,7 +156,6 @@ TEST_F(UnchangedPose, AMoveThatSinglePrecisionDoesNotTellIsSeenByThePairs)
         EXPECT_EQ(collide(space).size(), i % 2 ? 0u : 1u) << i;
     }
     EXPECT_LT(stats(space).moved, moved + 10) << "after rests alone";
-    // The pair comes to rest.
     for (int i = 0; i < 200; ++i)
         EXPECT_TRUE(collide(space).empty());
     dGeomSetPosition(other, 1 - 1e-12, 0, 0);
@@ -187,7 +186,6 @@ TEST_F(UnchangedPose, ASizeThatChangesIsNoticed)
     }
 }
 
-// The geom leaves and returns, with or without a tick in between.
 TEST_F(UnchangedPose, AGeomThatLeavesAndReturns)
 {
     Setting setting;

@@ -1,5 +1,3 @@
-// The start of the demo's probe.
-
 #include "demos/haptic/haptic_run.h"
 #include "demos/haptic/probe_scenes.h"
 #include "demos/runs/spaces.h"
@@ -37,7 +35,6 @@ struct Start
     double depth;  ///< m, of the deepest contact
 };
 
-/// The run is made, but not started.
 Start start_of(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
 {
     worlds::WorldSpec spec;

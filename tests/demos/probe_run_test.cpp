@@ -1,5 +1,3 @@
-// predictive_haptic_demo with a probe and without a window.
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>

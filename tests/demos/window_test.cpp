@@ -1,5 +1,3 @@
-// Pictures of the window of predictive_haptic_demo, on a display in memory.
-
 #include <array>
 #include <cairo.h>
 #include <cmath>

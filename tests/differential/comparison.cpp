@@ -33,8 +33,7 @@ Pairs without(const Pairs &pairs, const Pairs &others)
     return rest;
 }
 
-// A small space predicts once it has been validated. The first part of a history, one over this number, runs without
-// validation.
+// A small space predicts once it has been validated. So the first part of a history, one over this number, is not validated.
 constexpr std::size_t unvalidated_part = 5;
 
 class TwinRun
@@ -78,7 +77,6 @@ public:
     }
 
 private:
-    // Names the universe in which ODE aborted.
     template <typename Act> static auto watched(Universe &universe, FailureKind kind, Act act)
     {
         try
@@ -175,7 +173,6 @@ private:
         return true;
     }
 
-    // One pass from the end, which tries to drop each run of `length` operations.
     bool drop_runs(std::size_t length)
     {
         bool dropped = false;

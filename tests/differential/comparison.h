@@ -48,18 +48,13 @@ struct Terms
     bool with_invariant = true; ///< dPredictiveSpaceValidate() must succeed, too
 };
 
-/// Runs a history in a simple and in a predictive space. After every tick and query both must have reported the same pairs, and
-/// the invariant must hold. ODE's assertions must not fail.
+/// Runs a history in both spaces. After each tick and query, pairs must agree and the invariant hold; no assertion may fail.
 std::optional<Failure> compare(const History &history, const Terms &terms, Tally *tally = nullptr);
 
-/// Drops operations and shortens calms as long as the history still fails in the same way.
-///
-/// @param most_runs the largest number of attempts.
+/// Drops operations and shortens calms, in at most most_runs attempts, as long as the history still fails in the same way.
 History shrink(const History &history, const Terms &terms, int most_runs = 2000);
 
-/// Runs the history of a profile and a seed.
-///
-/// @return after a failure the difference, how to replay it, and the shrunk history; otherwise an empty text.
+/// @return after a failure of this history the difference, how to replay it, and the shrunk history; otherwise an empty text.
 std::string report_of(const Profile &profile, std::uint64_t seed, const Terms &terms, Tally *tally = nullptr);
 } // namespace ode_predictive_space
 

@@ -1,5 +1,3 @@
-// Universe: the operations on the scene.
-
 #include "tests/differential/universe.h"
 
 #include <algorithm>
@@ -259,8 +257,7 @@ void Universe::put_offset(dGeomID geom, const Operation &operation)
     dGeomSetOffsetRotation(geom, rotation);
 }
 
-// Geoms with an offset are left out: the place that a simple space needs for a notice would be computed again, with other
-// round-off.
+// Geoms with an offset are left out: the place that a simple space needs for a notice would be computed with other round-off.
 void Universe::change_in_place(GeomSlot &geom, dReal size)
 {
     if (dGeomIsOffset(geom.id))
@@ -353,8 +350,7 @@ void Universe::apply_to_geom(const Operation &operation, GeomSlot &geom)
     case Action::attach:
         if (placeable && (operation.object < 0 || find_body(operation.object)))
         {
-            // When a geom changes its body, ODE drops an offset, but neither frees it nor clears the mark that the place is to
-            // be computed, and later stops at an assertion.
+            // When a geom changes its body, ODE drops an offset but not the mark to compute the place, and later aborts.
             if (operation.object >= 0)
                 dGeomClearOffset(geom.id);
             dGeomSetBody(geom.id, find_body(operation.object));

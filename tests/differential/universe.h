@@ -7,13 +7,10 @@
 
 namespace ode_predictive_space
 {
-/// One of two universes with the same history, which differ only in the kind of the outermost space (and of the nested ones of
-/// the same kind).
-///
-/// There are two worlds rather than one with twins on its bodies, so that the geoms of a body exclude each other in each
-/// universe, as in a real program, and contacts can feed back into the motion. Both worlds move alike to the last bit, because
-/// contacts are made in the order of the geoms' numbers, and the random numbers of dWorldQuickStep() are seeded before each
-/// step.
+/// One of two universes with the same history, which differ only in the kind of the outermost space and of nested ones of the
+/// same kind. Two worlds, not one with twins on its bodies: so the geoms of a body exclude each other in each universe, as in a
+/// real program, and contacts can feed back into the motion. Both worlds move alike to the last bit: contacts are made in the
+/// order of the geoms' numbers, and dWorldQuickStep()'s random numbers are seeded before each step.
 class Universe
 {
 public:

@@ -1,5 +1,3 @@
-// Universe: the passage of time, and the reports.
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +10,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// The usual recursion into nested spaces. The lower number comes first, because dSpaceCollide2() of two spaces of the same size
-// does not test whether the geoms of the second are enabled.
+// The lower number comes first: dSpaceCollide2() of two spaces of one size ignores whether geoms of the second are enabled.
 void record_and_recurse(void *data, dGeomID first, dGeomID second)
 {
     static_cast<Pairs *>(data)->push_back({geom_number(first), geom_number(second)});

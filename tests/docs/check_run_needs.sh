@@ -76,7 +76,6 @@ for ode in "" "--ode release"; do
     [[ -z $done_by ]] || complain 'what is built is in the output'
 done
 
-# Selected tests run in one go.
 calls_of test --preset asan --long -R Contract
 count 1 '^ctest'
 has 'ctest --preset asan .* -R Contract'

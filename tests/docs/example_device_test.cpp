@@ -13,7 +13,6 @@ using haptics::DeviceError;
 using haptics::DeviceFault;
 using haptics::Vector3;
 
-/// The server of the example device.
 class Server
 {
 public:

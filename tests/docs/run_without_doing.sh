@@ -1,8 +1,7 @@
 # For tests of `./run`: a copy of it with stand-ins for its tools, which record their calls, print a line and do nothing.
 # Usage, in a script: . run_without_doing.sh; run_without_doing SOURCE_DIR; "$copy/run" ...; the calls are in $calls
 
-# Sets copy to a folder with `run` and the files that it reads, and calls to the file that the stand-ins write to. For `run`, no
-# package is installed.
+# Sets copy to a folder with `run` and its files, and calls to the file of the recorded calls. `run` finds no package installed.
 run_without_doing() {
     local source=$1 tool
     work=$(mktemp --directory)

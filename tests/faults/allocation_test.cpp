@@ -280,8 +280,7 @@ const Situation situations[] = {
 class EverySituation : public OdeTest, public ::testing::WithParamInterface<Situation>
 {};
 
-// The first allocation fails, then the second, and so on, until all succeed. Every other time, objects are added and removed
-// before the next tick.
+// The first allocation fails, then the second, and so on, until all succeed. Every other time, objects change before the tick.
 TEST_P(EverySituation, TheNextTickIsExactWhicheverAllocationFails)
 {
     const Situation &situation = GetParam();

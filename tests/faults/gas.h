@@ -198,7 +198,6 @@ private:
         return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5];
     }
 
-    // Uniform in [-1, 1].
     dReal number()
     {
         state_ = state_ * 1664525u + 1013904223u;

@@ -36,7 +36,6 @@ Vector3d sides(const std::uint8_t *bytes)
     return {side(bytes[0]), side(bytes[1]), side(bytes[2])};
 }
 
-// A number from a billionth to 1.
 double small(std::uint8_t byte)
 {
     return std::pow(10, -9 + 9 * fraction(byte));
@@ -169,8 +168,7 @@ private:
         return wrong;
     }
 
-    // The geoms go to corners of a cube around their places, the farthest that a check of coordinates allows, in opposite
-    // directions.
+    // The geoms go to opposite corners of cubes around their places, the farthest that a check of coordinates allows.
     std::string wobble()
     {
         const double half = side(bytes_[4]);
@@ -217,7 +215,6 @@ private:
         world_.place_beside(subject_, object_, heading(), with_contact, with_contact ? -part : part);
     }
 
-    // The length is from a half to 2.
     Eigen::Vector4d quaternion() const
     {
         const Vector3d imaginary = heading() * fraction(bytes_[7]);

@@ -1,5 +1,3 @@
-// A history of contacts from any bytes.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_FUZZ_CONTACT_HISTORY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_FUZZ_CONTACT_HISTORY_H
 
@@ -38,14 +36,10 @@ enum class ContactAction : std::uint8_t
 constexpr std::size_t bytes_per_contact_operation = 8;
 
 /// One byte of settings, then eight bytes for each operation: action, subject, object, number and four values. Operations after
-/// the 200th are ignored. All bytes are valid.
-///
-/// @return what is wrong, and where, or an empty text.
+/// the 200th are ignored. All bytes are valid. @return what is wrong, and where, or an empty text.
 std::string run_contact_history(const std::uint8_t *data, std::size_t size, ContactTally &tally);
 
-/// Drops operations as long as something is wrong.
-///
-/// @return the remaining operations, with what is wrong, or an empty text.
+/// Drops operations as long as something is wrong. @return the remaining operations, with what is wrong, or an empty text.
 std::string report_of_contact_history(const std::uint8_t *data, std::size_t size);
 } // namespace ode_predictive_space
 

@@ -58,7 +58,6 @@ public:
         constexpr int operations = 40;
         for (int i = 0; i < operations; ++i)
         {
-            // Half of the actions are for two geoms that are placed beside each other first.
             if (random_() % 2 == 0)
             {
                 append(Action::place_beside, slot(), slot());

@@ -48,8 +48,7 @@ void set_position(dGeomID geom, const Vector3d &at)
     dGeomSetPosition(geom, real(at[0]), real(at[1]), real(at[2]));
 }
 
-// A mesh that keeps its triangles from tick to tick has a list of them for each geom that it met. ODE frees these lists when
-// they are cleared, but not with the mesh, so LeakSanitizer would find them.
+// ODE frees the lists of triangles that a mesh keeps when they are cleared, but not with the mesh: LeakSanitizer finds them.
 void clear_kept_triangles(dGeomID geom)
 {
     if (geom && dGeomGetClass(geom) == dTriMeshClass)

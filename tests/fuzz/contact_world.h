@@ -1,5 +1,4 @@
-// Geoms of extreme forms and poses in one predictive space. Each tick compares its callbacks with the contacts that dCollide()
-// finds among all pairs.
+// Geoms of extreme forms and poses in a predictive space. Each tick compares its callbacks with the contacts of all pairs.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_FUZZ_CONTACT_WORLD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_FUZZ_CONTACT_WORLD_H
@@ -74,7 +73,6 @@ public:
     void set_offset(int slot, const Eigen::Vector3d &offset);
     void set_velocity(int slot, const Eigen::Vector3d &linear, const Eigen::Vector3d &angular);
     void take_body(int slot);
-    /// Convexes and meshes get other data.
     void resize(int slot, const Eigen::Vector3d &sides);
     /// Multiplies the sides of a convex by these factors. The corners of a mesh move by half the change of its sides.
     void change_in_place(int slot, const Eigen::Vector3d &factors);
@@ -86,9 +84,7 @@ public:
     double radius_of(int slot) const; ///< for a sphere, otherwise 0
     double extent_of(int slot) const; ///< diagonal of the bounding box; 0 when it is infinite
 
-    /// One dSpaceCollide().
-    ///
-    /// @return what is wrong, or an empty text.
+    /// One dSpaceCollide(). @return what is wrong, or an empty text.
     std::string tick();
 
 private:

@@ -1,5 +1,4 @@
-// Any bytes are a history of geoms in a predictive space with the sphere or the shape test: each pair with contacts has a
-// callback.
+// Any bytes are a history of geoms under the sphere or the shape test: each pair with contacts has a callback.
 
 #include <cstdio>
 #include <cstdlib>

@@ -6,9 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Runs the test with any bytes, and ends the process if it fails.
-///
-/// @return 0, as libFuzzer requires.
+/// Runs the test with any bytes, and ends the process if it fails. @return 0, as libFuzzer requires.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 
 #endif

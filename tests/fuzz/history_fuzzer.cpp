@@ -44,7 +44,6 @@ bool start_ode()
     return true;
 }
 
-// Few enough for a short replay of any bytes.
 bool is_small(const Recording &recording)
 {
     return recording.events().size() <= 50 && recording.geom_count() <= 100;
@@ -89,7 +88,6 @@ bool is_usual(const GeomChange &change)
     return !(change.fields & geom_field::pose) || !has_own_pose(state) || is_usual(state.pose);
 }
 
-// The recording is of a program that obeys ODE's rules.
 bool is_usual(const Recording &recording)
 {
     for (const Record &record : recording.records())

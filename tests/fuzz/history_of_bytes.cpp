@@ -13,8 +13,7 @@ namespace
 constexpr std::size_t bytes_per_operation = 8, most_operations = 200;
 constexpr int geoms = 256, bodies = 8, spaces = 4;
 
-// First bytes from these on stand for many operations: trees, sweeps and partial predictions need more objects than there are
-// bytes for.
+// First bytes from these on stand for many operations: trees and sweeps need more objects than there are bytes for.
 constexpr std::uint8_t first_jumping = 240, first_crowd = 248;
 constexpr int most_crowds = 3;
 

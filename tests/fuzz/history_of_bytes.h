@@ -1,5 +1,3 @@
-// A history of the differential test from any bytes.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_FUZZ_HISTORY_OF_BYTES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_FUZZ_HISTORY_OF_BYTES_H
 

@@ -43,7 +43,6 @@ void check(const Recording &recording)
     }
 }
 
-// A file in memory, if the system has such files.
 std::string file_of_process()
 {
     const char *folder = access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp";

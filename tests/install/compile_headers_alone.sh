@@ -1,6 +1,5 @@
 #!/bin/sh
-# Compiles each header of a folder of the prefix alone, with the flags of pkg-config. Nearly all of the time is for reading
-# Eigen.
+# Compiles each header of a folder of the prefix alone, with pkg-config's flags. Nearly all of the time is for reading Eigen.
 # Usage: compile_headers_alone.sh <package> <includedir of the prefix> <folder in it> <compiler> <flags>
 set -eu
 

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Is the ODE of each precision found where a distribution has one library and one pkg-config file for each of them? In prefixes that are
-# made up here.
+# Is the ODE of each precision found where a distribution has a library and a pkg-config file for each? In made-up prefixes.
 # Usage: find_ode.sh SCRATCH_FOLDER FOLDER_OF_FINDODE C_COMPILER
 
 set -euo pipefail

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Two builds in two folders make the same shared libraries, byte by byte: nothing of them depends on where the sources lie, on the time
-# or on the order of what runs at once.
+# Two builds in two folders make the same shared libraries, byte by byte, whatever the folder, the time and the order of work.
 # Usage: two_builds.sh SOURCES SCRATCH_FOLDER C_COMPILER CXX_COMPILER
 
 set -euo pipefail

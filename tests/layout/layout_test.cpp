@@ -1,5 +1,3 @@
-// Compares our declarations of ODE's internal classes with those in ODE's source.
-
 #include <gtest/gtest.h>
 
 #include "tests/layout/facts.h"

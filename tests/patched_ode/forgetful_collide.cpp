@@ -1,5 +1,4 @@
-// A dSpaceCollide that drops every tenth pair, to see that a demo notices a faulty space. It is linked with
-// --wrap=dSpaceCollide, so that the demo calls it.
+// A dSpaceCollide for --wrap=dSpaceCollide that drops every tenth pair, to see that a demo notices a faulty space.
 
 #include <ode/ode.h>
 

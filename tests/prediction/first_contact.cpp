@@ -30,7 +30,6 @@ void add_square(Polynomial &sum, const std::array<Real, 3> &term, Real sign)
             sum.coefficient[i + j] += sign * term[i] * term[j];
 }
 
-// The end of the bisection that has the sign of `right`.
 Real bisect(const Polynomial &polynomial, Real left, Real right)
 {
     const bool right_is_positive = polynomial.at(right) > 0;

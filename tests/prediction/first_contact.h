@@ -14,7 +14,6 @@ namespace ode_predictive_space
 /// Wider than double, so that the reference's own rounding is far below the prediction's margins.
 using Real = long double;
 
-/// Sum of coefficient[k] * m^k.
 struct Polynomial
 {
     std::array<Real, 5> coefficient{};
@@ -28,7 +27,6 @@ struct Polynomial
 /// changes of the derivative and 1 it is monotone, so that bisection cannot miss one.
 std::vector<Real> sign_changes(const Polynomial &polynomial);
 
-/// First m in [0, 1] at which the polynomial is <= 0.
 std::optional<Real> first_not_positive(const Polynomial &polynomial);
 
 /// |s1 - s2|^2 - (R1 + R2 + r1 + r2 + extra_reach)^2 as a polynomial of m = t / duration (equation 1, squared).

@@ -24,7 +24,6 @@ Path resting_at(const Vector3 &position)
     return {position, Vector3::Zero(), Vector3::Zero()};
 }
 
-// All members that can be NaN.
 std::vector<double *> numbers_of(Envelope &envelope)
 {
     std::vector<double *> numbers = {&envelope.deviation.a, &envelope.deviation.b, &envelope.deviation.c};

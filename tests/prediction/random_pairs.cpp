@@ -43,7 +43,6 @@ double RandomPairs::log_uniform(double low, double high)
     return std::exp(uniform(std::log(low), std::log(high)));
 }
 
-// 1 plus or minus a number between an epsilon and a tenth.
 double RandomPairs::nearly_one()
 {
     return 1 + sign() * log_uniform(1e-16, 0.1);

@@ -1,5 +1,3 @@
-// The output of a program that ends in any way, and the status that is passed on.
-
 #include <csignal>
 #include <utility>
 #include <vector>

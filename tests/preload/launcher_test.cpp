@@ -1,5 +1,3 @@
-// The launcher and the variables that it sets.
-
 #include "tests/preload/preload_programs.h"
 
 namespace ode_predictive_space::preload

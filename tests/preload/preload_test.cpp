@@ -123,8 +123,7 @@ TEST(Preload, LeavesFunctionsAloneThatAreLookedUpInAForeignOde)
     EXPECT_TRUE(contains(one_line_refusal(LOOKED_UP, OTHER_ODE), OTHER_ODE));
 }
 
-// dlsym() starts its search at the library that calls it. If the preload passed it on by a call instead of a jump, it would
-// find the same function again.
+// dlsym() searches from the library that calls it: a preload that passed it on by a call would find the same function again.
 TEST(Preload, LookingUpTheNextFunctionWorksAsWithoutIt)
 {
     const std::string native = run(NEXT_FUNCTION, "").output;
@@ -170,8 +169,7 @@ TEST(Preload, RefusesALibraryOfAnotherPrecisionUnderTheSameName)
     EXPECT_EQ(launch(LINKED_WITH_OTHER_PRECISION).status, 3);
 }
 
-// The dynamic linker describes the second library at the address of the first one's description. Once, the program ended in an
-// assertion, as its spaces were made by the wrong ODE.
+// The dynamic linker describes the second library at the first one's address. Once, the wrong ODE made its spaces.
 TEST(Preload, TellsALibraryFromOneThatWasThereBefore)
 {
     const std::string libraries = FOREIGNER " " EXTENSION " " FOREIGNER;
@@ -193,15 +191,13 @@ TEST(Preload, FollowsJumpsToTheRightOde)
     EXPECT_EQ(count_of("predictive by boxes", said.text()), 2 * 15);
 }
 
-// Once, one thread held the preload's lock and waited for the dynamic linker's, and the other held that and waited for the
-// preload's.
+// Once, one thread held the preload's lock and waited for the dynamic linker's, and the other did the reverse.
 TEST(Preload, ConstructorsMayUseOde)
 {
     EXPECT_EQ(launch("timeout 20 " CONSTRUCTING " " CONSTRUCTOR).status, 0);
 }
 
-// Once, the check of ODE took the two locks of the dynamic linker in another order than a thread that loads or unloads: one run
-// in fifteen did not end.
+// Once, the check of ODE took the dynamic linker's locks in another order than a thread that loads: one run in fifteen hung.
 TEST(Preload, LibrariesMayBeLoadedMeanwhile)
 {
     for (int i = 0; i < 60; ++i)
@@ -234,8 +230,7 @@ TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
     EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 20 busy").status, 0);
 }
 
-// Once, ODE's message came from within the ledger's lock, for another function than was called, and a program that continued
-// after it did not end.
+// Once, ODE's message came from within the ledger's lock, and a program that continued after it did not end.
 TEST(Preload, OdeRefusesWhatItRefusesWithout)
 {
     for (const char *options : {"", "--stats=/dev/null"})

@@ -1,5 +1,4 @@
-// A recording is faithful: its replay takes the instructions that the program's space took, and its pairs have the contacts
-// that they had in the program.
+// A recording is faithful: its replay takes the instructions of the program's space, and its pairs have the same contacts.
 
 #include <cstdio>
 #include <sstream>

@@ -1,5 +1,3 @@
-// The printed form of a text from a file or a program.
-
 #include "ode_predictive_space/recording/printable.h"
 
 #include <gtest/gtest.h>

@@ -67,8 +67,7 @@ private:
     std::unique_ptr<Recorder> recorder_;
 };
 
-/// Spaces of these kinds must find the pairs that the recorded program got, those of simple spaces. Collides that an exception
-/// ended have none.
+/// Spaces of these kinds must find the pairs of simple spaces that the program got; collides that an exception ended have none.
 void expect_pairs_agree(const Recording &recording,
                         const std::vector<SpaceKind> &kinds = {all_kinds.begin(), all_kinds.end()});
 } // namespace ode_predictive_space::recording

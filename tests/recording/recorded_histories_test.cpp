@@ -41,8 +41,7 @@ void apply(const Operation &operation, Universe &universe)
     }
 }
 
-// Replaces what a recording does not keep: the results of a user class's AABBTest, and the infinite boxes of ODE's nested
-// sweep-and-prune and quadtree spaces.
+// Replaces results of a user class's AABBTest, and infinite boxes of nested sap and quadtree spaces, which are not recorded.
 Operation recordable(Operation operation)
 {
     if (operation.action == Action::make_geom && operation.number == static_cast<int>(GeomKind::user))

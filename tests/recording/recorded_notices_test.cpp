@@ -18,7 +18,6 @@ namespace ode_predictive_space::recording
 {
 namespace
 {
-// Counts the notices of a space for each geom between two collides.
 class Notices final : public NoticeListener
 {
 public:

@@ -1,5 +1,3 @@
-// Meshes, heightfields, transforms and user classes in recordings.
-
 #include <cmath>
 #include <vector>
 

@@ -1,5 +1,3 @@
-// Recorded bodies, geoms and spaces are restored to the bit.
-
 #include <limits>
 #include <vector>
 

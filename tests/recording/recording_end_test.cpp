@@ -1,5 +1,3 @@
-// The ends of recordings, and spaces that record themselves.
-
 #include <cstdlib>
 #include <fstream>
 
@@ -110,8 +108,6 @@ TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
     }
     dGeomTriMeshDataDestroy(mesh);
 }
-
-// --- dPredictiveSpaceRecord() -----------------------------------------------------------------------------------------
 
 TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
 {

@@ -1,5 +1,3 @@
-// ode-predictive replay and report as a user calls them.
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,3 @@
-// Counts, measurements and texts from replays of small scenes.
-
 #include "ode_predictive_space/recording/replay.h"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// predictive_haptic_demo as a user runs it: exit status, output, result file.
-
 #include "demos/haptic/comparison_report.h"
 
 #include <algorithm>

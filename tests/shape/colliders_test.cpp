@@ -98,7 +98,6 @@ protected:
         return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
     }
 
-    // The gap of two shapes, also within the hull of a mesh.
     double gap(dGeomID first, dGeomID second)
     {
         const ConvexShape one = made_shape(first), other = made_shape(second);
@@ -131,8 +130,7 @@ protected:
         return Vector3(place[0], place[1], place[2]);
     }
 
-    // Moves the geom away from a place on the surface until there is hardly a gap, or hardly a contact, and then a little
-    // farther or back.
+    // Moves the geom away from a place on the surface until there is hardly a gap, or contact, then a little farther or back.
     void nearly_touch_surface(dGeomID surface, const Vector3 &place, dGeomID geom, double size)
     {
         const Vector3 towards = direction();
@@ -204,7 +202,6 @@ protected:
         return dCollide(first, second, 4, found, sizeof found[0]) > 0;
     }
 
-    // Moves the second geom along the direction until there is hardly a gap, or hardly a contact, and then a little farther.
     void nearly_touch(dGeomID first, dGeomID second, double size)
     {
         const double away = one_in(2) ? 0 : one_in(4) ? 1e4 : 10;
@@ -225,8 +222,7 @@ protected:
         put(second, place, towards, high + (one_in(4) ? -1 : 1) * size * log_between(1e-9, one_in(2) ? 1e-2 : 1));
     }
 
-    // Moves the second geom away from the mesh to the last place where ODE finds a contact: most often from in front or from
-    // behind, near an edge.
+    // Moves the second geom away to the last place with a contact: most often from in front or from behind, near an edge.
     void barely_touch(dGeomID mesh, dGeomID second, double size)
     {
         const dReal *R = dGeomGetRotation(mesh);
@@ -359,7 +355,6 @@ protected:
 
     double nearly_zero(double size) { return one_in(4) ? 0 : (one_in(2) ? -1 : 1) * size * log_between(1e-12, 1e-1); }
 
-    // A coordinate of a centre near an end of a side, beyond it by at most half a box.
     double beyond(double side, double half) { return (one_in(2) ? -1 : 1) * (0.5 * side + between(-0.2, 1) * half); }
 
     Vector3 centre_at(Border border, const Hills &hills, const Vector3 &half)
@@ -479,8 +474,7 @@ TEST_F(ShapeColliders, FindNoContactOfThinPairsThatAreLeftOut)
             expect_no_contact_left_out(one, other, poses);
 }
 
-// Single-precision normals of slivers are inaccurate. Once, with a margin for ordinary triangles, contacts with boxes and with
-// other slivers were left out.
+// Single-precision normals of slivers are inaccurate. Once, contacts with boxes and with other slivers were left out.
 TEST_F(ShapeColliders, FindNoContactBesideSliversOfPairsThatAreLeftOut)
 {
     constexpr int poses = is_long ? 400000 : of_cases(40000);

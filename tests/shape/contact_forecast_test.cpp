@@ -37,8 +37,7 @@ Envelope going(const ConvexShape &shape, const Vector3 &velocity)
     return envelope;
 }
 
-// Once, the deviation was taken along an axis of the scene. Two objects then touched at the next tick, although the forecast
-// kept them apart.
+// Once, the deviation was taken along an axis of the scene: two objects touched while the forecast kept them apart.
 TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
 {
     const double root = std::sqrt(3);

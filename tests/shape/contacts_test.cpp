@@ -88,7 +88,6 @@ void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
     totals.looks += counters_of(history.space()).gap_checks;
 }
 
-// ODE_PREDICTIVE_SHAPE_SEED selects other histories.
 unsigned first_seed()
 {
     const char *seed = std::getenv("ODE_PREDICTIVE_SHAPE_SEED");

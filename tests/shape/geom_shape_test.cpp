@@ -1,5 +1,3 @@
-// The motion of a geom as the space measures it.
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -20,7 +18,6 @@ protected:
         return follow_geom(0, geom, hulls_, steps, shape_);
     }
 
-    // As above, for a geom that waits for its hull.
     bool has_hull(dGeomID geom, std::size_t steps) { return !hulls_.hull_of(0, geom, steps).is_being_made; }
 
     HullStore hulls_;

@@ -11,8 +11,7 @@
 
 namespace ode_predictive_space
 {
-/// The data of a heightfield; they must outlive the geom. Some repeat without end, some have flat parts or are flat, some are
-/// upside down.
+/// The data of a heightfield; they must outlive the geom. Some repeat without end, some have flat parts, some are upside down.
 class Hills
 {
 public:
@@ -26,7 +25,6 @@ public:
     dHeightfieldDataID id() const { return id_; }
     /// A place near the ground, or slightly beyond its edge, in the frame of the geom.
     Eigen::Vector3d place(std::mt19937_64 &random) const;
-    /// Sides of all cells together along x and z, and of one cell.
     Eigen::Vector3d sides() const { return {width_, 0, depth_}; }
     Eigen::Vector3d cell() const { return {width_ / (columns_ - 1), 0, depth_ / (rows_ - 1)}; }
     double height(int column, int row) const;

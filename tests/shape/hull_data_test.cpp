@@ -26,8 +26,7 @@ namespace
 {
 const Eigen::Vector3d same(1, 1, 1), here(0, 0, 0);
 
-// An octahedron of height 2 in the middle and a ball near its edge: the boxes overlap. Deviations are large, so that the motion
-// keeps to its prediction and the pair stays the same.
+// An octahedron and a ball near its edge: the boxes overlap. Deviations are large, so that no object gets a new prediction.
 class HullData : public OdeTest
 {
 protected:
@@ -207,8 +206,7 @@ TEST_F(HullData, OfARoomLeavesOutWhatIsInsideAndApartFromItsWalls)
     EXPECT_EQ(pairs(), 1u) << "on the floor of changed data";
 }
 
-// Small cubes in two layers, above and below the ball: within the hull, the triangles decide. Their tree takes several ticks to
-// build.
+// Small cubes in two layers, above and below the ball: within the hull, triangles decide. Their tree takes several ticks.
 Polyhedron layers_of_cubes()
 {
     Polyhedron many;
@@ -288,7 +286,6 @@ protected:
             dGeomHeightfieldDataDestroy(data);
     }
 
-    // All data share the samples.
     void build(dHeightfieldDataID data, dReal offset) const
     {
         dGeomHeightfieldDataBuildDouble(data, samples_.data(), 0, 8, 8, 5, 5, 1, offset, 1, 0);
@@ -334,8 +331,7 @@ TEST_F(HullOfHeights, IsThatOfTheOffsetWithWhichTheDataWereBuiltLast)
     EXPECT_EQ(collide(space).size(), 1u);
 }
 
-// For a heightfield ODE uses the box that the data had when they were built; other data with the same arrays may have another
-// box.
+// For a heightfield ODE uses the box that its data were built with; other data with the same arrays may have another box.
 TEST_F(HullData, HasTheOldBoxOfItsOwnDataWhereOthersHaveTheSameArrays)
 {
     std::mt19937 random(3);

@@ -1,5 +1,3 @@
-// Convexes and meshes of any polyhedron, with their data.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
 
@@ -24,7 +22,6 @@ struct Polyhedron
 
     void add(const Polyhedron &other);
 
-    /// A copy whose corners are multiplied by a factor along each axis, and then moved.
     Polyhedron changed(const Eigen::Vector3d &factors, const Eigen::Vector3d &by) const;
 };
 

@@ -268,7 +268,6 @@ void ShapeHistory::give_other_data(const Member &member)
         meshes_[any(meshes_.size())].rebuild(polyhedron());
 }
 
-// Changes the data of one mesh, and reports all meshes as changed.
 void ShapeHistory::change_in_place()
 {
     const Eigen::Vector3d by(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.1, 0.1));

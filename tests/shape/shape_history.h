@@ -1,5 +1,4 @@
-// Random histories of a program whose geoms move, turn, grow and vanish in all ways of ODE, with the contacts found by brute
-// force.
+// Random histories of geoms that move, turn, grow and vanish in all ways of ODE, with the contacts found by brute force.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_SHAPE_HISTORY_H
@@ -54,7 +53,6 @@ public:
     };
     Collision collide();
 
-    /// The result of a simple space.
     struct Truth
     {
         GeomPairs contacts;

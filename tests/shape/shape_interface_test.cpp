@@ -1,5 +1,3 @@
-// The shape test of proximity as a program sets it, and its promises for single pairs.
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -272,8 +270,7 @@ TEST_F(ShapeProximity, NoticesThatAGeomGrowsWithinItsEnvelope)
     EXPECT_EQ(pairs(), 1u);
 }
 
-// Once, a postponed pair was tested by its old gap until the next report, and dPredictiveSpaceValidate() took this for a fault
-// of the space.
+// Once, a postponed pair was tested by its old gap until the next report, which validation took for a fault of the space.
 TEST_F(ShapeProximity, IsValidWhenAGeomHasGrownSinceTheLastReport)
 {
     for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})

@@ -1,5 +1,3 @@
-// Queries with the shape test: dSpaceCollide2() of a space that uses it.
-
 #include <array>
 #include <atomic>
 #include <memory>

@@ -75,7 +75,6 @@ protected:
         return from + low * away;
     }
 
-    // Any direction, or one from either side.
     Vector3d way_from(dGeomID mesh)
     {
         const dReal *R = dGeomGetRotation(mesh);
@@ -123,8 +122,7 @@ protected:
     int contacts_ = 0, missed_ = 0, left_out_ = 0;
 };
 
-// With the margin for ordinary triangles, 30 of 150,000 poses had contacts without a callback. These are half of them, and
-// others.
+// With the margin for ordinary triangles, 30 of 150,000 poses had contacts without a callback. Half are here, with others.
 TEST_F(ShapeSlivers, TouchNoThinBoxWithoutACallbackAtAnyNanometre)
 {
     for (unsigned seed : {17526u, 22272u, 25887u, 26856u, 29928u, 31063u, 45786u, 63869u, 67041u, 72783u, 112636u,

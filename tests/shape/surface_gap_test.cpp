@@ -21,7 +21,6 @@ constexpr std::size_t all_at_once = 1000000;
 class Ground
 {
 public:
-    // A bowl, a piece of rough ground, or scattered triangles, with sides from 0.1 to 2.
     Ground(ShapeMaker &maker, int side)
     {
         const Vector3 size = Vector3(maker.between(0.1, 2), maker.between(0.1, 2), maker.between(0.1, 2));

@@ -21,7 +21,6 @@ constexpr unsigned seeds = 100000;
 constexpr unsigned seeds = of_cases(4000);
 #endif
 
-// Two shapes whose bounding boxes always overlap.
 class TwoShapes : public Scene
 {
 public:

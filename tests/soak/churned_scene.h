@@ -14,26 +14,21 @@
 namespace ode_predictive_space::soak
 {
 /// Beside the geoms of the scene there are transients: spheres, boxes and capsules of the test, half of which move along
-/// circles. Every few ticks there is a random change: a geom of the scene or a transient leaves the space and returns, at once
-/// or some ticks later; a transient is destroyed and another one made; a transient gets another size. The scene does not see
-/// the transients.
+/// circles. Every few ticks a geom of the scene or a transient leaves the space and returns, at once or some ticks later, or a
+/// transient is replaced or resized. The scene does not see the transients.
 class ChurnedScene
 {
 public:
-    /// @param ticks_per_copy number of ticks after which the scene is destroyed and made again in the same space; 0: never. It
-    /// is for scenes that do not stay as they begin (a pile settles further, an explosion drives all objects to the walls), or
-    /// that keep all numbers or all reaches of a hand.
+    /// @param ticks_per_copy ticks after which the scene is made again in the same space, or 0. It is for scenes that do not
+    ///         stay as they begin (a pile settles, an explosion ends), or that keep all numbers or all reaches of a hand.
     ChurnedScene(const worlds::WorldSpec &spec, worlds::SpaceKind kind, int ticks_per_copy);
     ~ChurnedScene();
     ChurnedScene(const ChurnedScene &) = delete;
     ChurnedScene &operator=(const ChurnedScene &) = delete;
 
-    /// Motion, changes, dSpaceCollide(), dSpaceCollide2() for each query of the scene, contacts.
     void tick();
 
-    /// Compares the report of the last tick with the oracle.
-    ///
-    /// @return what is wrong, or an empty text.
+    /// Compares the report of the last tick with the oracle. @return what is wrong, or an empty text.
     std::string wrong_pairs() const;
 
     dSpaceID space() const { return space_.get(); }

@@ -14,10 +14,8 @@ struct GeomPair
     dGeomID first, second;
 };
 
-/// The pairs of geoms for which dSpaceCollide() must call the callback: bounding boxes overlap, bits match, bodies differ. In
-/// ascending order of their numbers.
-///
-/// @param geoms those in the space, with different numbers.
+/// The pairs of geoms for which dSpaceCollide() must call the callback: bounding boxes overlap, bits match, bodies differ. They
+/// are in ascending order of their numbers. @param geoms those in the space, with different numbers.
 std::vector<GeomPair> overlapping_pairs(const std::vector<dGeomID> &geoms);
 
 /// As above, for dSpaceCollide2() of each query with the space.

@@ -1,5 +1,3 @@
-// The C functions beyond those that every space has.
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -8,7 +8,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-// A thousand drifting balls, far apart, and two beside them that will meet.
 class Explosion : public OdeTest
 {
 protected:

@@ -1,7 +1,6 @@
-// An ODE that the plugin was not built for is refused with a message that gives the reason.
-//
-// The file is compiled three times, each time with one property of ODE replaced; definitions of a program come before those of
-// a library. Each program has one test, because the plugin checks its ODE only once.
+// An ODE that the plugin was not built for is refused with a message that gives the reason. The file is compiled three times,
+// each time with one property of ODE replaced; definitions of a program come before those of a library. Each program has one
+// test, because the plugin checks its ODE only once.
 
 #include <dlfcn.h>
 
@@ -9,7 +8,6 @@
 
 #include "tests/contract/support/ode_test.h"
 
-// The three programs have tests with different names.
 #if defined(MISFIT_PRECISION)
 #define MISFIT_CASE PrecisionIsRefused
 extern "C" __attribute__((visibility("default"))) int dCheckConfiguration(const char *)

@@ -9,8 +9,7 @@ namespace ode_predictive_space
 {
 namespace
 {
-// Rods side by side that drift together, so slowly that they stay near each other: the spheres around them overlap, but not
-// their boxes.
+// Rods side by side that drift together, so slowly that they stay near: the spheres around them overlap, but not their boxes.
 class Rods : public OdeTest
 {
 protected:

@@ -1,5 +1,3 @@
-// dPredictiveSpaceValidate() for a geom that was changed behind the space's back.
-
 #include <cstdio>
 
 #include "ode_predictive_space/space/ode_internals.h"

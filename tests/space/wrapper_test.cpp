@@ -1,5 +1,3 @@
-// The C++ wrapper: a space like those of odecpp.
-
 #include <type_traits>
 
 #include <ode_predictive_space/predictive_space.hpp>

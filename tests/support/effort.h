@@ -1,5 +1,3 @@
-// The share of a randomised test that is run.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_EFFORT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SUPPORT_EFFORT_H
 

@@ -13,8 +13,7 @@ ODE_PREDICTIVE_SPACE_SEEN const char *__lsan_default_suppressions()
 {
     return ""
            // ODE loses the position record of a geom with an offset when dGeomSetBody moves it from one body to another. The
-           // function that made the record depends on the free memory. Geoms and bodies that a test leaves behind are still
-           // found.
+           // function that made the record depends on the free memory. Geoms and bodies left behind are still found.
            "leak:^dGeomCreateOffset\n"
            "leak:^dxGeom::dxGeom\n"
            "leak:^dGeomSetBody\n"
@@ -31,8 +30,7 @@ ODE_PREDICTIVE_SPACE_SEEN const char *__tsan_default_suppressions()
            "race:^dGeomSetBody$\n"
            // - after a step, the caller reads the notices of moved geoms that worker threads sent during it.
            "race:^dGeomMoved$\n"
-           // The dynamic linker is not built with it, either. Its locks are not seen, and accesses that they order look like
-           // races:
+           // The dynamic linker is not built with it, either. Accesses that its locks order look like races:
            // - an object's description, made by one thread and freed by another;
            "race:^_dl_close_worker$\n"
            // - an object's name, made by one thread and read by another that goes through all objects.

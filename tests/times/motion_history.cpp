@@ -130,7 +130,6 @@ private:
         questions_.push_back({one, other, tick_, meets, ticks, seen >= needed});
     }
 
-    // The list and the single answer must agree.
     void ask_for_encounters(std::size_t one, std::size_t other)
     {
         std::array<dPredictiveEncounter, 8> list;

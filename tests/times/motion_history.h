@@ -20,8 +20,7 @@ struct MotionTally
     std::vector<double> parts_of_apart; ///< likewise, for pairs that were to stay apart for some time
 };
 
-/// @param proximity one of the three tests.
-/// @return what is wrong, or an empty text.
+/// @param proximity one of the three tests. @return what is wrong, or an empty text.
 std::string run_motion_history(std::uint64_t seed, int proximity, MotionTally &tally);
 } // namespace ode_predictive_space
 

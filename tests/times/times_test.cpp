@@ -1,5 +1,4 @@
-// Times at which two geoms meet, each of which moves on a parabola and turns constantly. The answers before the meeting are
-// compared with it.
+// Times at which two geoms meet that move on parabolas and turn constantly: each answer is compared with the meeting.
 
 #include <functional>
 #include <vector>
@@ -42,10 +41,7 @@ protected:
         return answer;
     }
 
-    // Moves, collides and queries until the two meet.
-    //
-    // @param from the tick of the first query.
-    // @return one answer for each tick from that one on.
+    // Moves, collides and queries until the two meet. @return one answer for each tick from the tick `from` on.
     std::vector<Answer> answers_until_they_meet(dGeomID one, dGeomID other, int from,
                                                 const std::function<void(int)> &move)
     {
@@ -65,7 +61,6 @@ protected:
     }
 
     // The first two answers are unknown, later ones are not late, and the last of these are not much too early.
-    //
     // @param early in ticks; turning counts as if it moved the farthest corner straight on.
     static void expect_honest(const std::vector<Answer> &answers, dReal part = REAL(0.7), dReal early = 9)
     {
@@ -109,7 +104,6 @@ TEST_F(Times, OfAGeomThatTheProgramMovesAreNeverLate)
         }
 }
 
-// Only turning brings the box nearer.
 TEST_F(Times, OfABoxThatTheProgramTurnsAreNeverLate)
 {
     fill(20);

@@ -23,8 +23,7 @@ test_with_clang() {
     test_variant "$1" "$promised" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ "${@:2}"
 }
 
-# Sets arm64_root to a folder with the packages for arm64 that the tests are linked with, as libode-dev cannot be installed for
-# two processors.
+# Sets arm64_root to a folder with the tests' packages for arm64, as libode-dev cannot be installed for two processors.
 fetch_arm64_root() {
     local work=$top/build/arm64-root package list
     arm64_root=$work/root

@@ -11,8 +11,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// ODE does not report that a body is destroyed, but it detaches the body's joints. So each body gets a null joint,
-/// which adds no constraint; when the joint has no body, the body is gone.
+/// ODE does not report that a body is destroyed, but it detaches the body's joints. So each body gets a null joint, which adds
+/// no constraint; when the joint has no body, the body is gone.
 class BodyWatch
 {
 public:
@@ -25,9 +25,7 @@ public:
     /// @return 0 for a body that is gone or unknown.
     dBodyID find(std::uintptr_t object) const;
 
-    /// Adds a force, and enables a disabled body.
-    ///
-    /// @param arm m; from the body's centre of mass to where the force acts. The world's frame, as the force's.
+    /// Adds a force, and enables a disabled body. Both are in the world's frame; the arm (m) is from its centre of mass.
     bool push(std::uintptr_t object, const Vector3 &force, const Vector3 &arm);
 
 private:

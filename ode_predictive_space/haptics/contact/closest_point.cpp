@@ -104,8 +104,7 @@ bool exchange(const Planes &planes, Carriers &carriers, std::size_t added, doubl
     return false;
 }
 
-/// Each round adds the plane that is violated most, which lifts the point: an LP-type problem of dimension three
-/// (Sharir and Welzl 1992).
+/// Each round adds the plane violated most, which lifts the point: an LP-type problem of dimension 3 (Sharir and Welzl 1992).
 std::optional<Carriers> find_carriers(const Planes &planes, double deepest, double tolerance)
 {
     const double allowed = tolerance * deepest;

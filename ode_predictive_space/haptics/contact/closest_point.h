@@ -28,14 +28,12 @@ double deepest_of(const std::vector<ConstraintPlane> &planes);
 
 Vector3 lift_of(const std::vector<ConstraintPlane> &planes);
 
-/// Finds the shortest x, from the tool, with normal . x >= depth for all planes, and writes it as the sum of share * normal:
-/// at most three shares are above zero, none is below. With one plane alone, its share is its depth, exactly.
-///
-/// Returns false, and the depths as shares, when no such point exists or it is more than a hundred times as far as the
-/// deepest plane: between nearly opposite planes, x grows without bound. Input that is not
-/// finite has the same result, so that later checks find it.
-///
-/// The tolerance is 1e-9 of the deepest plane, or 1e-6 where normals are too close to dependent for that.
+/// Finds the shortest x, from the tool, with normal . x >= depth for all planes, and writes it as the sum of share * normal: at
+/// most three shares are above zero, none is below. With one plane alone, its share is its depth, exactly. The tolerance is
+/// 1e-9 of the deepest plane, or 1e-6 where normals are too close to dependent for that.
+/// @return false, with the depths as shares, when no such point exists, when it is more than a hundred times as far as the
+///         deepest plane (between nearly opposite planes, x grows without bound), or when the input is not finite, so that
+///         later checks find it.
 bool find_closest_point(std::vector<ConstraintPlane> &planes);
 } // namespace ode_predictive_space::haptics
 

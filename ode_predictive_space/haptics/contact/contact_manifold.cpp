@@ -145,8 +145,7 @@ double ContactManifold::least_part_before() const
     return carried ? least : 0;
 }
 
-/// The shares of an object that is felt alone scale with its depths. The joint solution changes when the parts of
-/// objects differ.
+/// The shares of an object that is felt alone scale with its depths; the joint solution changes when parts differ.
 void ContactManifold::let_rise(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                                std::vector<Touch> &touches)
 {
@@ -171,9 +170,8 @@ void ContactManifold::note_lift(const std::vector<Touch> &touches)
     jump_ = (lift_ - before).norm();
 }
 
-/// All touches of an object have the same part. A touch that takes over from others adds little lift, however deep it
-/// is. If all touches together hold the tool where the former ones held it, except for their motion, the new touches
-/// have taken over.
+/// All touches of an object have the same part. A touch that takes over from others adds little lift, however deep it is. If
+/// all touches together hold the tool where the former ones held it, except for their motion, the new touches have taken over.
 double ContactManifold::part_of(const Touch &touch, const ToolState &tool, double dt, std::optional<double> gap) const
 {
     if (released_)

@@ -29,16 +29,13 @@ class ContactManifold
 public:
     ContactManifold();
 
-    /// Processes a tick: sets each touch's id, takes_over, part, material (see blended()) and carry. Does not allocate
-    /// for a number of touches that it has seen before.
-    ///
-    /// - If all objects are seen together, a touch that would push the tool out at the back of a thin object is turned
-    ///   to the side of entry.
-    /// - A contact that begins deeper than the motion of tool and surface explains belongs to an object that appeared
-    ///   around the probe: its force rises within half a second, and touches that take over from it continue the rise.
-    ///
-    /// @param gap s; how long a contact may have gone unnoticed; without a value, new touches are rendered in full at
-    ///         once.
+    /// Processes a tick: sets each touch's id, takes_over, part, material (see blended()) and carry. Does not allocate for a
+    /// number of touches that it has seen before.
+    /// - If all objects are seen together, a touch that would push the tool out at the back of a thin object is turned to the
+    ///   side of entry.
+    /// - A contact that begins deeper than the motion of tool and surface explains belongs to an object that appeared around
+    ///   the probe: its force rises within half a second, and touches that take over from it continue the rise.
+    /// @param gap s; how long a contact may have gone unnoticed; without a value, new touches are rendered in full at once.
     void follow(const ToolState &tool, TouchView view, double dt, std::optional<double> gap,
                 std::vector<Touch> &touches);
 

@@ -151,8 +151,7 @@ double ContactTracker::travel_of_force() const
     return course_.travel.norm() + drift + catch_up_;
 }
 
-/// m; as above, where bodies yield. A body that bounces off a spring changes the force by more than the stiffness times
-/// its travel.
+/// m; as above, where bodies yield: one that bounces off a spring changes the force by more than stiffness times its travel.
 double ContactTracker::travel_of_bodies() const
 {
     double farthest = 0;

@@ -27,15 +27,14 @@ struct TouchOfGeom
     Touch touch;
 };
 
-/// Keeps a proxy of the tool, which never passes a surface: in each tick it moves towards the tool. Its place is stored
-/// in the frame of each geom, so that moving geoms carry it. The surfaces that hold the proxy off the tool are touched.
+/// Keeps a proxy of the tool, which never passes a surface: in each tick it moves towards the tool. Its place is stored in the
+/// frame of each geom, so that moving geoms carry it. The surfaces that hold the proxy off the tool are touched. Call order in
+/// each tick: begin(), aim(), add_if_near() for each geom of the near callback, follow(), touches(). The region() contains all
+/// touched surfaces, so the contact of a geom that is not reported has ended.
 ///
-/// Call order in each tick: begin(), aim(), add_if_near() for each geom of the near callback, follow(), touches(). The
-/// region() contains all touched surfaces, so the contact of a geom that is not reported has ended.
-///
-/// With two threads there are two trackers. The servo's owns the sides of entry: in each tick it gets the geoms that
-/// the scene's tracker found at the last step, moved to their present poses. The scene's continues from the servo's
-/// memory: adopt(), and near() after all add_if_near().
+/// With two threads there are two trackers. The servo's owns the sides of entry: in each tick it gets the geoms that the
+/// scene's tracker found at the last step, moved to their present poses. The scene's continues from the servo's memory:
+/// adopt(), and near() after all add_if_near().
 class ContactTracker
 {
 public:
@@ -80,13 +79,11 @@ public:
 
     void add(NearbyGeom geom) { insert(std::move(geom), 0); }
 
-    /// Adds a geom if its surface is in the region(). The nearest comes first, so that the result does not depend on
-    /// the space.
+    /// Adds a geom if its surface is in the region(). The nearest comes first, so that the result does not depend on the space.
     void add_if_near(NearbyGeom geom);
 
     bool exceeds_capacity() const { return near_.exceeds_capacity(); }
 
-    /// The geoms around the tool, the nearest first.
     const std::vector<HeldGeom> &near() const { return near_.list(); }
 
     void follow();
@@ -95,9 +92,7 @@ public:
 
     const Vector3 &proxy() const { return course_.proxy; }
 
-    /// Appends the touches, and surfaces nearer than the margin.
-    ///
-    /// @return false when a touch was left out because it is not finite.
+    /// Appends the touches, and surfaces nearer than the margin. @return false when a touch was left out as not finite.
     bool touches(TouchView view, std::vector<Touch> &touches);
 
     /// For the servo's tracker, after follow(): fills in the memory for adopt().
@@ -138,8 +133,7 @@ private:
     double tick_length_ = 0.001;
     Course course_;
     HeldGeoms near_;
-    /// A geom that carried the proxy is gone, and the proxy has not reached the tool since: only present touches give a
-    /// force.
+    /// A geom that carried the proxy is gone, and the proxy has not reached the tool since: only present touches give a force.
     bool released_ = false;
     bool carries_on_ = false; ///< the proxy was moving to the tool without a touch in the tick before
     double catch_up_ = 0;     ///< m; allowed travel of the proxy beyond the tool's travel

@@ -19,10 +19,8 @@ struct ProbePlace
     double tick = 0;                  ///< s; since the tick before
 };
 
-/// Such a geom has no side of entry, so any force would be arbitrary (see TouchSensor). A geom that moved around the
-/// probe is not excluded.
-///
-/// Call order in each tick: begin(), then excludes() for each geom of the near callback.
+/// Such a geom has no side of entry, so any force would be arbitrary (see TouchSensor). A geom that moved around the probe is
+/// not excluded. Call order in each tick: begin(), then excludes() for each geom of the near callback.
 class ExcludedGeoms
 {
 public:
@@ -35,7 +33,6 @@ public:
     bool excludes(dGeomID geom, double depth, const ProbePlace &probe);
 
 private:
-    /// A reported geom, and the probe in its frame.
     struct Reported
     {
         GeomIdentity geom;

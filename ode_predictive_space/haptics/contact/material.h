@@ -10,11 +10,9 @@ namespace ode_predictive_space::haptics
 /// @throws std::invalid_argument that names the property which is negative or not finite.
 void check(const Material &material);
 
-/// Whether check() would accept the material.
 bool is_valid(const Material &material);
 
-/// A step from one material towards another, so that the force does not jump between surfaces. Each property changes by
-/// at most its larger value in 20 ms.
+/// A step towards another material, so that the force does not jump: a property changes by at most its larger value in 20 ms.
 Material blended(const Material &from, const Material &to, double dt);
 } // namespace ode_predictive_space::haptics
 

@@ -124,8 +124,7 @@ MeshStore::Entry &MeshStore::entry_of(dGeomID mesh)
     return meshes_.back();
 }
 
-/// Reads by a temporary geom at the origin, where ODE returns the coordinates unchanged. The program may destroy the
-/// data after the call.
+/// Reads by a temporary geom at the origin, where ODE returns the coordinates unchanged. The data may be destroyed afterwards.
 void MeshStore::read(const void *data, MeshTree &tree)
 {
     if (tree.added() < tree.count() && steps_ >= steps_to_add)

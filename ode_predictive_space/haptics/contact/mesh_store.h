@@ -29,12 +29,9 @@ struct TriangleList
     }
 };
 
-/// Geoms of the same dTriMeshDataID share a tree. ODE does not report changed triangles: each look-up compares their
-/// number, a few of them in rotation, and the touched ones. A difference replaces the tree.
-///
-/// A large mesh is read in parts, so that no look-up takes long.
-///
-/// A heightfield has the triangles of its cells. ODE gives no access to its samples, so it is not compared.
+/// Geoms of the same dTriMeshDataID share a tree. ODE does not report changed triangles: each look-up compares their number, a
+/// few of them in rotation, and the touched ones. A difference replaces the tree. A large mesh is read in parts, so that no
+/// look-up takes long. A heightfield has the triangles of its cells. ODE gives no access to its samples, so it is not compared.
 class MeshStore
 {
 public:
@@ -61,7 +58,6 @@ public:
     std::size_t count() const { return meshes_.size(); }
 
 private:
-    /// The tree of a dTriMeshDataID or dHeightfieldDataID.
     struct Entry
     {
         const void *data;

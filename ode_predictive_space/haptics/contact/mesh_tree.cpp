@@ -51,8 +51,7 @@ MeshTree::MeshTree(Unread, std::size_t count) : count_(count), known_(std::make_
     finite_.reserve(count);
 }
 
-// Corners at the same place become one vertex, whatever the indices of the mesh. Triangles that are not finite are left
-// out.
+// Corners at the same place become one vertex, whatever the indices of the mesh. Triangles that are not finite are left out.
 void MeshTree::add(const TriangleCorners &corners)
 {
     TriangleArrays::Indices triangle;

@@ -11,13 +11,9 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A copy of a mesh's triangles, in the mesh's frame. It is immutable once it is ready, so geoms and threads may share
-/// it.
-///
-/// A large mesh is built in parts: add() for each triangle, then build() until is_ready(). Queries need a ready tree.
-///
-/// The surface has two sides, whatever the order of the corners. Holes, duplicate triangles and triangles without area
-/// are allowed.
+/// A copy of a mesh's triangles, in the mesh's frame. It is immutable once it is ready, so geoms and threads may share it. A
+/// large mesh is built in parts: add() for each triangle, then build() until is_ready(). Queries need a ready tree. The surface
+/// has two sides, whatever the order of the corners. Holes, duplicate triangles and triangles without area are allowed.
 class MeshTree
 {
 public:
@@ -61,24 +57,21 @@ public:
     std::size_t count() const { return count_; }
     TriangleCorners corners(std::size_t triangle) const { return tree_->corners(static_cast<std::uint32_t>(triangle)); }
 
-    /// Appends the local minima of the distance within a radius, in no order. A place on an edge or corner counts only
-    /// if no adjacent triangle is nearer: a flat floor has one feature, however many triangles it has.
-    ///
-    /// @return the distance to the mesh, at most the radius. When the budget is exceeded, distance and features are
-    ///         those of the visited triangles.
+    /// Appends the local minima of the distance within a radius, in no order. A place on an edge or corner counts only if no
+    /// adjacent triangle is nearer: a flat floor has one feature, however many triangles it has.
+    /// @return the distance to the mesh, at most the radius. When the budget is exceeded, distance and features are those of
+    ///         the visited triangles.
     double collect(const Vector3 &point, double radius, SurfaceFeatures &features, Budget *budget = nullptr) const;
 
     double distance(const Vector3 &point, double most) const;
 
-    /// The winding number at a point: 1 inside of a closed mesh whose triangles face outwards, -1 where they face
-    /// inwards, 0 outside. Holes and far triangles add errors of some hundredths. (Jacobson, Kavan and Sorkine-Hornung,
-    /// 2013; Barill and others, 2018.)
+    /// The winding number: 1 inside of a closed mesh whose triangles face outwards, -1 where they face inwards, 0 outside.
+    /// Holes and far triangles add errors of hundredths. (Jacobson, Kavan and Sorkine-Hornung, 2013; Barill and others, 2018.)
     double winding_number(const Vector3 &point) const;
 
     SurfaceFeature nearest_of(std::size_t triangle, const Vector3 &point) const;
 
 private:
-    /// The far field of a node.
     struct Dipole
     {
         Vector3 centre = Vector3::Zero(); ///< m

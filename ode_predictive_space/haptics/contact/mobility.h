@@ -21,7 +21,6 @@ struct Mobility
     bool is_zero() const { return inverse_mass == 0; }
 
     /// 1/kg; speed of a place of the body along a direction per impulse along it.
-    ///
     /// @param arm m; from the centre of mass. @param direction of length 1.
     double along(const Vector3 &arm, const Vector3 &direction) const
     {

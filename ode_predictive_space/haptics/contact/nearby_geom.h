@@ -1,4 +1,4 @@
-// A geom near the probe, as it was in the near callback.
+// A copy of all the data of a geom near the probe that contact needs, because the program may destroy the geom at any time.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NEARBY_GEOM_H
@@ -29,25 +29,21 @@ struct GeomIdentity
     }
 };
 
-/// A copy of all data that contact needs, because the program may destroy the geom at any time.
 class NearbyGeom
 {
 public:
     NearbyGeom() = default;
 
-    /// Reads a geom, with the motion of its body. Returns nothing for a surface that ODE alone knows (convex,
-    /// heightfield without samples, transform, classes of the program, mesh that is being read).
-    ///
+    /// Reads a geom, with the motion of its body. Returns nothing for a surface that ODE alone knows (convex, heightfield
+    /// without samples, transform, classes of the program, mesh that is being read).
     /// @param touched touched triangles of the mesh: see MeshStore.
     static std::optional<NearbyGeom> read(dGeomID geom, MeshStore &meshes, const TriangleList &touched);
 
     /// A geom whose surface ODE alone knows, as the half-space behind the plane through its point nearest to the proxy.
-    ///
     /// @param point m; on the surface. @param normal of length 1, towards the proxy; both in the scene's frame.
     static NearbyGeom behind_plane(dGeomID geom, const Vector3 &point, const Vector3 &normal);
 
     /// The other geom of a contact of dCollide() with a geom of the program at the tool, as such a half-space.
-    ///
     /// @param tool m; the contact is at a lever from it.
     static NearbyGeom at_contact(dGeomID geom, const dContactGeom &contact, const Vector3 &tool);
 
@@ -62,9 +58,7 @@ public:
 
     void set_motion(const Motion &motion) { motion_ = motion; }
 
-    /// The geom after a time at its present velocity.
-    ///
-    /// Real-time: the copy shares the mesh without owning it, and must not outlive this one.
+    /// The geom after a time at its present velocity. The copy shares the mesh without owning it: it must not outlive *this.
     NearbyGeom later(double dt) const;
 
     /// Adds displacement (m), rotation about the body's centre (rad), velocity (m/s) and spin (rad/s).
@@ -77,8 +71,7 @@ public:
     void set_step(double seconds) { step_ = seconds; }
     double step() const { return step_; }
 
-    /// Reads whether the body is in contact. For the thread of the scene, after the program has made its contact
-    /// joints.
+    /// Reads whether the body is in contact. For the thread of the scene, after the program has made its contact joints.
     void note_contacts();
     bool is_in_contact() const { return in_contact_; }
 
@@ -110,18 +103,15 @@ public:
     /// The distance from a point to the surface, at most `most`, negative inside of a solid.
     double distance(const Vector3 &point, double most) const;
 
-    /// Whether a point is inside of a mesh whose triangles face outwards, or below a heightfield. For solids see
-    /// distance().
+    /// Whether a point is inside of a mesh whose triangles face outwards, or below a heightfield. For solids see distance().
     bool contains(const Vector3 &point) const;
 
     /// The nearest place of the feature's triangle, or of the solid, to another point.
     SurfaceFeature nearest_of(const SurfaceFeature &feature, const Vector3 &point) const;
 
-    /// The touch of a feature, from the feature's side.
     Touch touch_of(const SurfaceFeature &feature) const;
 
-    /// The touch of at_contact() with the geom of the program at another tool, which does not turn; outside, its depth
-    /// is below 0.
+    /// The touch of at_contact() with the program's geom at another tool, which does not turn; outside, its depth is below 0.
     Touch touch_at(const Vector3 &tool) const { return touch_of(nearest_of(SurfaceFeature(), tool + lever_)); }
 
     /// Whether a point inside may leave in any direction.

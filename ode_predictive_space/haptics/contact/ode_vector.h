@@ -29,7 +29,6 @@ void call_ode(void (*function)(Object, dReal, dReal, dReal), Object object, cons
     function(object, static_cast<dReal>(vector.x()), static_cast<dReal>(vector.y()), static_cast<dReal>(vector.z()));
 }
 
-/// As above, for a function that takes a quaternion.
 template <typename Object> void call_ode(void (*function)(Object, const dReal *), Object object, const Quaternion &turn)
 {
     const dQuaternion quaternion = {static_cast<dReal>(turn.w()), static_cast<dReal>(turn.x()),

@@ -27,11 +27,9 @@ struct ProbeTool
     double stiffness = 0;               ///< N/m
 };
 
-/// Two probes must feel the same force, whatever the order of callbacks and loops. So each probe announces its tool
-/// here, and finds the other tools here instead of in the near callback.
-///
-/// From any thread. A probe that finds the list locked uses its copy of the tick before; it waits only after probes
-/// were made or destroyed.
+/// Two probes must feel the same force, whatever the order of callbacks and loops. So each probe announces its tool here, and
+/// finds the other tools here instead of in the near callback. From any thread. A probe that finds the list locked uses its
+/// copy of the tick before; it waits only after probes were made or destroyed.
 class OtherProbes
 {
 public:

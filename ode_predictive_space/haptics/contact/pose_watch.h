@@ -33,19 +33,16 @@ struct Motion
 Motion body_motion_of(dGeomID geom, const Pose &pose);
 
 /// Estimates velocities from poses: tracked objects, lifts and doors are often posed in each tick, without a velocity.
-///
 /// Call order in each tick: begin(), then motion_of() for each geom of the near callback.
 class PoseWatch
 {
 public:
-    /// m/s; a geom that is posed farther away in a tick was put there. A tenth above the promised 2 m/s, because ticks
-    /// vary.
+    /// m/s; a geom that is posed farther away in a tick was put there. A tenth above the promised 2 m/s, because ticks vary.
     static constexpr double fastest = 2.2;
 
     void begin() { seen_.begin(); }
 
     /// The motion of the body, or that of the poses if it is faster than the body is now and was a tick ago.
-    ///
     /// @param tick s; since the tick before; 0 if that is not known.
     Motion motion_of(dGeomID geom, const Pose &pose, const Vector3 &where, double tick);
 

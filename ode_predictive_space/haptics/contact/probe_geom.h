@@ -1,4 +1,4 @@
-// The probe's geom in the scene.
+// The probe's geom in the scene: the library's sphere or a geom of the program (see TouchSensor).
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PROBE_GEOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PROBE_GEOM_H
@@ -11,10 +11,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The library's sphere or a geom of the program: see TouchSensor.
-///
-/// ODE does not report that a space is destroyed with its geoms, but a destroyed geom leaves its body. So a geom in the
-/// space is attached to a kinematic body in a separate, empty world.
+/// ODE does not report that a space is destroyed with its geoms, but a destroyed geom leaves its body. So a geom in the space
+/// is attached to a kinematic body in a separate, empty world.
 class ProbeGeom
 {
 public:

@@ -42,8 +42,7 @@ private:
     static constexpr int unknown = -1;
 
     int class_ = unknown; ///< ODE's
-    /// m; half the sides of a box, radius and half length of a capsule or cylinder, radius of a sphere, normal of a
-    /// half-space.
+    /// m; half the sides of a box, radius and half length of a capsule or cylinder, radius of a sphere, normal of a half-space.
     Vector3 size_ = Vector3::Zero();
     double height_ = 0; ///< m; of a half-space's surface, along its normal
 };

@@ -55,10 +55,8 @@ public:
     /// Reserves memory: up to usual_planes, run() does not allocate.
     SphereSlide();
 
-    /// Dense meshes reduce the search distance and the steps. When the budget is used up, the sphere stops, and the
-    /// next run continues.
-    ///
-    /// @param places the centre at the beginning; on return, at the end.
+    /// Dense meshes reduce the search distance and the steps. When the budget is used up, the sphere stops, and the next run
+    /// continues. The places are the centre at the beginning and, on return, at the end.
     /// @return whether all geoms allow a common place; otherwise each has its own.
     bool run(const Task &task, std::vector<SlidePlace> &places);
 

@@ -20,16 +20,16 @@ constexpr double least_descent = 0.1;          // of the descent that the slope 
 /// bodies does not grow in any arrangement of touches.
 constexpr double yielding = 2.25;
 
-/// The bound of a share is the largest of three: the depth of the deepest plane, `hardest` times the plane's own depth / yield, and
-/// `hardest_of_rest` times the depth that remains after the first pass / yield. Without it, the shares of touches that oppose each other would be
-/// up to three times as large. A body that bounces off within a few ticks would leave with up to half as much energy again, because its gain
-/// depends on the moment between two ticks at which it comes and goes, and grows with the stiffness. A bound by the depth of other planes alone
-/// does not act as a spring: it gave bodies of 20 g up to twice their energy.
+/// The bound of a share is the largest of three: the depth of the deepest plane, `hardest` times the plane's own depth / yield,
+/// and `hardest_of_rest` times the depth that remains after the first pass / yield. Without it, the shares of opposing touches
+/// would be up to three times as large. A body that bounces off within a few ticks would leave with up to half as much energy
+/// again, because its gain depends on the moment between two ticks at which it comes and goes, and grows with the stiffness. A
+/// bound by the depth of other planes alone does not act as a spring: it gave bodies of 20 g up to twice their energy.
 constexpr double hardest = 0.8;
 constexpr double hardest_of_rest = 0.7;
 
-/// A plane with a smaller yield belongs to a heavy body: one of more than 28 g at 500 N/m and 1 kHz. Its remaining depth / yield is nearly the share
-/// that holds the proxy out of a notch, so its bound is higher.
+/// A plane with a smaller yield belongs to a heavy body, of more than 28 g at 500 N/m and 1 kHz. Its remaining depth / yield is
+/// nearly the share that holds the proxy out of a notch, so its bound is higher.
 constexpr double heavy = 0.04;
 constexpr double hardest_of_heavy = 1.2;
 

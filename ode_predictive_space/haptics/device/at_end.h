@@ -1,4 +1,4 @@
-// A function that runs at the end of a scope.
+// A function that is called at the end of a scope. One that captures at most two pointers needs no allocation.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_AT_END_H
@@ -8,8 +8,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Calls a function when it is destroyed. Assignment swaps the functions. A function that captures at most two pointers
-/// needs no allocation.
+/// Assignment swaps the functions.
 class AtEnd
 {
 public:

@@ -11,8 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Measures speed from positions, and fills in the velocity of devices that report none. Angular velocities are
-/// unchanged. Neither allocates nor locks.
+/// Neither allocates nor locks. Angular velocities are unchanged.
 class DeviceMotion
 {
 public:

@@ -53,8 +53,7 @@ void *load_first_of(const std::vector<std::string> &files)
     std::string reasons;
     for (const std::string &file : files)
     {
-        // Never unloaded: see the class. All symbols are resolved now, so that a missing one fails here and not in the
-        // servo thread.
+        // Never unloaded: see the class. RTLD_NOW lets a missing symbol fail here, not in the servo thread.
         if (void *handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE))
             return handle;
         reasons += std::string(reasons.empty() ? "" : "; ") + dlerror();

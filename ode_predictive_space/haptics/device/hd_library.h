@@ -1,5 +1,4 @@
-// OpenHaptics' HD library, loaded at run time, with declarations of the used part of its binary interface and the
-// meaning of its errors.
+// OpenHaptics' HD library, loaded at run time: the used part of its binary interface, and the meaning of its errors.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_HD_LIBRARY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_DEVICES_HD_LIBRARY_H

@@ -19,10 +19,9 @@ struct HdSample
     DeviceState state;
 };
 
-/// The callback in the servo thread. It neither waits, allocates nor throws.
-///
-/// Invariant: a frame sets zero unless the last write is recent, no pause is active, no fault has ended the servo, and
-/// rest() was not called.
+/// Neither waits, allocates nor throws.
+/// Invariant: a frame sets zero unless the last write is recent, no pause is active, no fault has ended the servo, and rest()
+/// was not called.
 class HdServo
 {
 public:

@@ -166,7 +166,6 @@ private:
         return capabilities;
     }
 
-    /// Enables the force with the library's own limits.
     void enable_force_output() const
     {
         library_->enable(hd::max_force_clamping);

@@ -1,4 +1,4 @@
-// Random numbers that do not depend on the standard library.
+// Random numbers (splitmix64) whose distributions are the same with each standard library.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_RANDOM_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_RANDOM_H
@@ -20,7 +20,6 @@ inline std::uint64_t mix_bits(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-/// A stream of random numbers (splitmix64) whose distributions are the same with each standard library.
 class Random
 {
 public:

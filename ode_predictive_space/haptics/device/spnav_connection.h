@@ -21,9 +21,7 @@ struct SpnavInput
 class SpnavConnection
 {
 public:
-    /// Waits for the server's answers for at most a second.
-    ///
-    /// @throws DeviceError as SpacenavDevice::open() does.
+    /// Waits for the server's answers for at most a second. @throws DeviceError as SpacenavDevice::open() does.
     SpnavConnection();
 
     const std::string &mouse() const { return mouse_; }

@@ -8,8 +8,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Runs the work under the lock, and rethrows its exception after unlocking: an uncaught exception ends the program
-/// without unwinding, and a terminate handler that needs the mutex would wait forever.
+/// An uncaught exception ends the program without unwinding, and a terminate handler that needs the mutex would wait forever.
 template <typename Work> void with_lock(std::mutex &mutex, const Work &work)
 {
     std::exception_ptr error;

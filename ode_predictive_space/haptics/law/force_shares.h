@@ -1,4 +1,4 @@
-// Division of the rendered force among the touched objects.
+// Division of the written force among the objects that caused it, so that each gets the opposite of its part.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_FORCE_SHARES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_FORCE_SHARES_H
@@ -7,11 +7,9 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Divides the written force among the objects that caused it, so that each gets the opposite of its part.
-///
-/// Limits shorten a law's force, and mix it with the force of the tick before, which other objects may have caused. So
-/// the force is split into a W + b P, with the requested force W and the former force P; each object gets a times its
-/// part of W and b times its part of P. Does not allocate for a number of touches that it has seen before.
+/// Limits shorten a law's force, and mix it with the force of the tick before, which other objects may have caused. So the
+/// force is split into a W + b P, with the requested force W and the former force P; each object gets a times its part of W and
+/// b times its part of P. Does not allocate for a number of touches that it has seen before.
 class ForceSplit
 {
 public:
@@ -21,8 +19,7 @@ public:
     /// @param given N; the written part of their sum. All finite, in the scene's frame.
     void split(const std::vector<Touch> &touches, const TouchForces &requested, const Vector3 &given);
 
-    /// One for each touch in their order, those in free space, then those of former objects whose force still fades.
-    /// Their sum is the given force.
+    /// One per touch in order, those in free space, then former objects whose force still fades. Their sum is the given force.
     const std::vector<ForceShare> &shares() const { return shares_; }
 
     void clear() { shares_.clear(); }

@@ -8,7 +8,6 @@
 namespace ode_predictive_space::haptics
 {
 /// The force along the normal: k d with the carried depth, plus damping of the approach if `damped`. It never pulls.
-///
 /// @return N; >= 0, or not a number when an argument is not.
 inline double normal_force(const ToolState &tool, const Touch &touch, const Material &material, bool damped)
 {

@@ -115,7 +115,6 @@ Vector3 ProxyLaw::friction(const Vector3 &tool, const Vector3 &lifted, double ca
         along += carry_of(touch).share / carried * dt * touch.surface_velocity;
     along = along_the_carriers(touches, along);
 
-    // Limited by friction and by the other planes.
     slides_ = along.norm() > most_friction(touches, slid);
     const double part = slides_ ? most_friction(touches, true) / along.norm() : 1;
     return kept_out(touches, lifted - tool, part * along);

@@ -18,12 +18,9 @@ inline void check(const CouplingProperties &coupling)
     check_not_negative(coupling.angular_damping, "angular damping of a virtual coupling");
 }
 
-/// Holds a dynamic body (the tool) to the device by a spring and a damper, in position and orientation (Colgate,
-/// Stanley and Brown, "Issues in the haptic display of tool use", 1995). The hand feels only the coupling, which bounds
-/// the stiffness that the device has to render.
-///
-/// @param device the device's handle, @param tool the body that is held; both in the scene's frame. Orientations are
-///         joined by the shorter rotation.
+/// Holds a dynamic body (the tool) to the device by a spring and a damper, in position and orientation (Colgate, Stanley and
+/// Brown, "Issues in the haptic display of tool use", 1995). The hand feels only the coupling, which bounds the stiffness that
+/// the device has to render. Both states are in the scene's frame; orientations are joined by the shorter rotation.
 /// @return the wrench on the device; the tool body gets exactly the opposite, force and torque, at its position.
 inline Wrench wrench_on_device(const CouplingProperties &coupling, const ToolState &device, const ToolState &tool)
 {
@@ -34,10 +31,8 @@ inline Wrench wrench_on_device(const CouplingProperties &coupling, const ToolSta
                 coupling.angular_damping * (tool.angular_velocity - device.angular_velocity)};
 }
 
-/// A body is stepped with the force of the tick before, so a spring k and a damper b on a mass m diverge from h^2 k + 2
-/// h b = 4 m on. These bounds allow half of that, which leaves the rest to contacts of the tool. Rotations use the
-/// smallest moment of inertia.
-///
+/// A body is stepped with the force of the tick before, so a spring k and a damper b on a mass m diverge from h^2 k + 2 h b = 4
+/// m on. These bounds allow half of that, and leave the rest to contacts of the tool. Rotations use the smallest inertia.
 /// @param mass kg, @param inertia kg m^2; of the tool's body. @param dt s, > 0.
 /// @return the coupling, with no more stiffness and damping than the body can be stepped with.
 inline CouplingProperties bounded(const CouplingProperties &coupling, double mass, double inertia, double dt)

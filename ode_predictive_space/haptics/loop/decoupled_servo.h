@@ -24,13 +24,11 @@ struct Surroundings
     int tool_jumps = 0;            ///< of RenderedTick; if it has grown since, the copy is out of date
 };
 
-/// The impulses between hand and objects on their way to the scene.
-///
-/// A device holds each force until the next write, which is due a tick later. The impulse of that tick is sent as soon
-/// as the force is written, so that it reaches the scene before its step: late impulses would act as pulses, which add
-/// energy to bodies in contact. If a force is held longer or shorter than a tick, the difference follows after the next
-/// write, so no impulse is lost or counted twice. For the servo's thread, except the queue's other end. Neither
-/// allocates nor locks.
+/// The impulses between hand and objects on their way to the scene. A device holds each force until the next write, which is
+/// due a tick later. The impulse of that tick is sent as soon as the force is written, so that it reaches the scene before its
+/// step: late impulses would act as pulses, which add energy to bodies in contact. If a force is held longer or shorter than a
+/// tick, the difference follows after the next write, so no impulse is lost or counted twice. For the servo's thread, except
+/// the queue's other end. Neither allocates nor locks.
 class HandImpulses
 {
 public:
@@ -43,8 +41,7 @@ public:
 
     Queue<Impulse> &queue() { return queue_; }
 
-    /// The motion of touched bodies by impulses that the forecast does not include, and by a force that is held longer
-    /// than a tick.
+    /// The motion of touched bodies by impulses that the forecast lacks, and by a force that is held longer than a tick.
     Shifts predict(const MotionForecast &forecast, double due)
     {
         const auto is_new = [&](const Impulse &impulse) { return impulse.number > forecast.last_included; };
@@ -67,10 +64,8 @@ public:
                 geom.push(-impulse.impulse, impulse.arm, due - impulse.time);
     }
 
-    /// After each write.
-    ///
-    /// @param now s, on the clock. @param due s, on the clock; the due time of the tick, which counts as its beginning:
-    ///         so the impulses agree with the scene's semi-implicit steps, and create no energy.
+    /// After each write. Both times are in s, on the clock. The due time of the tick counts as its beginning, so the impulses
+    /// agree with the scene's semi-implicit steps, and create no energy.
     void settle(double now, double due, const DeviceGate &gate, const std::vector<ForceShare> &shares)
     {
         const std::uint64_t zeros = gate.zeros();
@@ -91,8 +86,7 @@ private:
     static constexpr std::uint64_t unnumbered = ~std::uint64_t{0};
     static constexpr double rounding = 1e-12; ///< s
 
-    /// Impulses until the watchdog stops the force of a scene that hangs. Each force has two: for its tick, and for the
-    /// difference.
+    /// Impulses until the watchdog stops the force of a scene that hangs: a force has one for its tick, one for the difference.
     static std::size_t most_on_their_way(const LoopSettings &settings)
     {
         constexpr double decay = 0.01; // s; of the watchdog, at most
@@ -101,7 +95,6 @@ private:
         return 2 * most_shares * static_cast<std::size_t>(ticks);
     }
 
-    /// Sends the impulse of the held force for a duration.
     void give(double seconds, double time)
     {
         if (std::abs(seconds) <= rounding)
@@ -163,9 +156,7 @@ public:
         parts_.servo.end(parts_.clock.now(), due + 1 / parts_.settings.rate);
     }
 
-    /// After each write.
-    ///
-    /// @param due s, on the clock; when the tick was due.
+    /// After each write. @param due s, on the clock; when the tick was due.
     void settle(double due) { impulses.settle(parts_.clock.now(), due, renderer_.gate(), renderer_.shares()); }
 
     /// The exception of the law that ended the servo. For the scene's thread, once ended() is true.

@@ -21,12 +21,10 @@ struct BodyImpulse
     Vector3 impulse;
 };
 
-/// Steps the bodies that are connected with the touched ones by joints and contacts, by ODE's own stepper, then
-/// restores poses, velocities, forces, joint feedback and ODE's random numbers. Other bodies are not stepped. A large
-/// island is reduced to the bodies nearest to the touched ones, up to most_ends; the bodies beyond its border keep
-/// their velocities. Two effects remain: callbacks of moved bodies are called, and a connected body does not fall
-/// asleep.
-///
+/// Steps the bodies that are connected with the touched ones by joints and contacts, by ODE's own stepper, then restores poses,
+/// velocities, forces, joint feedback and ODE's random numbers. Other bodies are not stepped. A large island is reduced to the
+/// bodies nearest to the touched ones, up to most_ends; the bodies beyond its border keep their velocities. Two effects remain:
+/// callbacks of moved bodies are called, and a connected body does not fall asleep.
 /// For the scene's thread, after the program has made its contact joints and before it steps the world.
 class IslandRollOut
 {
@@ -38,10 +36,8 @@ public:
     IslandRollOut(const IslandRollOut &) = delete;
     IslandRollOut &operator=(const IslandRollOut &) = delete;
 
-    /// Steps several times from the present state, then restores it.
-    ///
-    /// @param impulses of the first step; other bodies are ignored. @param look called after each step, with its number
-    ///         from 1 on.
+    /// Steps several times from the present state, then restores it. The impulses act in the first step; those on other bodies
+    /// are ignored. @param look called after each step, with its number from 1 on.
     void run(std::size_t steps, double dt, const std::vector<BodyImpulse> &impulses,
              const std::function<void(std::size_t)> &look);
 
@@ -60,7 +56,6 @@ public:
     bool is_stacked() const { return is_stacked_; }
 
 private:
-    /// The state of a body before the trial.
     struct State
     {
         dBodyID body;

@@ -22,11 +22,9 @@ struct GuardDuties
     std::function<void()> prepare; ///< in the guard's thread, before it begins
 };
 
-/// Checks every millisecond whether the servo ticks, and whether the loop has to end; otherwise sets the force to zero.
-///
-/// A clock of the program can go back, and then all tasks that sleep by it stall. The machine's clock detects that.
-///
-/// A separate thread delivers notices to the program's sink, so that neither servo nor guard waits for a terminal.
+/// Checks every millisecond whether the servo ticks and whether the loop has to end; sets the force to zero when the servo
+/// hangs or the loop must end. A clock of the program can go back, and then all tasks that sleep by it stall: the machine's
+/// clock detects that. Another thread delivers notices to the sink, so that neither servo nor guard waits for a terminal.
 class LoopGuard
 {
 public:

@@ -108,8 +108,7 @@ void LoopParts::check_bodies()
         throw std::runtime_error(broken);
 }
 
-/// An exception through ODE's own dSpaceCollide() leaves the space locked, so that its geoms must not be moved or
-/// destroyed.
+/// An exception through ODE's own dSpaceCollide() leaves the space locked, so that its geoms must not be moved or destroyed.
 void LoopParts::collide(const SceneWork &work)
 {
     check_bodies();

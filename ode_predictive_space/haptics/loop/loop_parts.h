@@ -114,19 +114,16 @@ public:
     /// Sleeps with the scene unlocked. For the thread of run().
     void sleep_until(double time);
 
-    /// Takes the probe for this run until the result is destroyed. @throws std::logic_error when another loop runs the
-    /// probe.
+    /// Takes the probe for this run until the result is destroyed. @throws std::logic_error when another loop runs the probe.
     AtEnd begin_turn();
 
-    /// Calls the program's collide(). @throws std::runtime_error for a body that is not finite, before or after the
-    /// call; exceptions of the program.
+    /// Calls the program's collide(). @throws its exceptions; std::runtime_error for a body that is not finite before or after.
     void collide(const SceneWork &work);
 
     /// Whether a stop was requested. From any thread.
     bool stop_requested() const;
 
-    /// Whether the loop has to end: by request, or because the sink of notices failed. From the threads of the scene
-    /// and the servo.
+    /// Whether the loop has to end: by request, or because the sink failed. From the threads of the scene and the servo.
     bool must_end() const;
 
     /// s; simulated device time, for notices. From any thread.
@@ -134,7 +131,6 @@ public:
 
     void note_rendered(const RenderedTick &tick);
 
-    /// Requests real-time priority for the calling thread, if the settings ask for it.
     void ask_for_priority(bool above_servo);
 
     /// Sends a notice by the guard. For the thread of the given side.
@@ -164,8 +160,7 @@ private:
     std::shared_ptr<ActiveRun> run_;    ///< shared by std::atomic_load() and std::atomic_store()
 };
 
-/// Runs the loop of two threads until its end: the caller's thread steps the scene, another one is the servo.
-/// @throws exceptions of the law in the servo's thread, too.
+/// The caller's thread steps the scene, another one is the servo. @throws exceptions of the law in the servo's thread, too.
 void run_decoupled(LoopParts &parts, const SceneWork &work);
 } // namespace ode_predictive_space::haptics
 

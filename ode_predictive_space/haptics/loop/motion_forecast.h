@@ -47,13 +47,13 @@ using BodyMotion = Eigen::Matrix<double, 6, 1>;
 /// An impulse and its moment about the centre of mass: N s and N m s.
 using ImpulseWrench = Eigen::Matrix<double, 6, 1>;
 
-/// Results of the roll-outs: positions of the touched bodies at nodes of time, and their response to impulses through
-/// all joints and contacts. It has a fixed size, to be passed between threads.
+/// Results of the roll-outs: positions of the touched bodies at nodes of time, and their response to impulses through all
+/// joints and contacts. It has a fixed size, to be passed between threads. Over the impulses J that the scene has not got,
 ///
-///     moved_j(t) = free_j(t - t_0) - sum over i, tau of R_ij(t - tau) J_i(tau)      over the impulses that the scene has not got
+///     moved_j(t) = free_j(t - t_0) - sum over i, tau of R_ij(t - tau) J_i(tau)
 ///
-/// Motion is linear between the nodes and beyond the last. J acts on the hand; the body gets the opposite. Some pushes
-/// are tried at each touch, and an impulse is expressed as their nearest combination.
+/// Motion is linear between the nodes and beyond the last. J acts on the hand; the body gets the opposite. Some pushes are
+/// tried at each touch, and an impulse is expressed as their nearest combination.
 struct MotionForecast
 {
     static constexpr std::size_t most_touches = std::tuple_size_v<Shifts>;
@@ -64,7 +64,6 @@ struct MotionForecast
     template <typename Value> using Course = std::array<Value, nodes + 1>;
     using Response = Eigen::Matrix<double, 6, tried_pushes>; ///< motion of a body, a column for each push
 
-    /// A touched place of a body.
     struct Place
     {
         Touch touch;
@@ -82,7 +81,6 @@ struct MotionForecast
 
     bool predicts(std::uintptr_t object) const;
 
-    /// The motion of the touched bodies beyond that by their constant velocities.
     Shifts shifts(const std::vector<Impulse> &impulses, double now) const;
 };
 } // namespace ode_predictive_space::haptics

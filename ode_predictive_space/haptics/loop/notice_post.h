@@ -1,4 +1,4 @@
-// Queues of notices from the threads of a loop to the program.
+// Queues of notices from the threads of a loop to the program. One thread delivers them, so that posting never waits.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_POST_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_POST_H
@@ -11,7 +11,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// One thread delivers all notices, so that posting never waits for a terminal.
 class NoticePost
 {
 public:
@@ -41,7 +40,6 @@ public:
     /// Whether the sink threw, after which it is not called. From any thread.
     bool sink_failed() const { return sink_failed_.load(std::memory_order_acquire); }
 
-    /// The exception of the sink, after sink_failed().
     std::exception_ptr sink_error() const { return sink_error_; }
 
 private:

@@ -12,14 +12,11 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Reports a part of a body's state, force and torque included, that is not finite. ODE ends the program by an
-/// assertion for it, or spreads it to other bodies.
-///
-/// @return a sentence that names the body; empty when all is finite.
+/// A sentence that names the body and a part of its state, force or torque that is not finite; empty when all is finite.
+/// ODE ends the program by an assertion for it, or spreads it to other bodies.
 std::string broken_state_of(dBodyID body);
 
 /// The newest body of a world; next_body_of_world() leads to the others. ODE has no function for that.
-///
 /// @throws std::runtime_error when the layout differs from that of ODE 0.15 to 0.16.6.
 dBodyID first_body_of(dWorldID world);
 
@@ -33,7 +30,6 @@ public:
     /// @param geom the probe's or the tool's; may be 0.
     explicit SceneBodies(dGeomID geom) { find_worlds(outermost_space_of(geom)); }
 
-    /// @return broken_state_of() the first body that is not finite; otherwise empty.
     std::string broken_state(dBodyID tool, dGeomID geom);
 
 private:

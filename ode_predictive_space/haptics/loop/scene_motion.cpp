@@ -22,8 +22,7 @@ constexpr double most_swing = 1.2;
 constexpr double most_spring = 0.5;
 constexpr double most_spring_of_stack = 0.25;
 
-/// s; with QuickStep, a body in contact jumps by up to 1.75 g times the squared step: at 4 ms and 500 N/m, 5 % of 2.8
-/// N.
+/// s; with QuickStep, a body in contact jumps by up to 1.75 g times the squared step: at 4 ms and 500 N/m, 5 % of 2.8 N.
 constexpr double longest_quick_step = 0.004;
 
 constexpr int most_steps = 16; // per period
@@ -223,8 +222,7 @@ SceneMotion::Touched SceneMotion::touched_of(dBodyID body, const Touch &touch)
     return touched;
 }
 
-/// Pushes along the normal, sideways for friction, and sideways without a moment for the turning normal of a round
-/// body.
+/// Pushes along the normal, sideways for friction, and sideways without a moment for the turning normal of a round body.
 SceneMotion::Pushes SceneMotion::pushes_on(const Touched &touched)
 {
     const dBodyID body = touched.body;
@@ -257,8 +255,7 @@ SceneMotion::Courses SceneMotion::try_out(IslandRollOut &island, const std::vect
     return courses;
 }
 
-/// The first push is as strong as the last one of the hand. The others are added to it, because friction depends on the
-/// normal force.
+/// The first push is as strong as the hand's last one. The others are added to it, as friction depends on the normal force.
 void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest,
                                 double h, MotionForecast &forecast)
 {

@@ -23,19 +23,15 @@ public:
     /// Adds forces to the bodies for the step of length h that begins at a, both in s.
     void push(double a, double h);
 
-    /// Compares the program's step with the prediction.
-    ///
-    /// @param drew_numbers whether ODE's random seed has changed, which only dWorldQuickStep() with constraints does.
+    /// Compares the program's step with the prediction. Only dWorldQuickStep() with constraints draws ODE's random numbers.
     void note_step(bool drew_numbers);
 
-    /// Whether the program's steps agree with the predictions. After several deviations in a row, constant velocities
-    /// are predicted.
+    /// Whether the program's steps agree with the predictions. After deviations in a row, constant velocities are predicted.
     bool repeats() const { return deviations_ < most_deviations; }
 
     void push_all(double h);
 
     /// Predicts the motion of the touched surfaces. After the program's collide(), before its advance().
-    ///
     /// @param period s; of the program's rate. @param affordable maximum number of steps in a period.
     void predict(double time, double period, int affordable, MotionForecast &forecast);
 

@@ -30,8 +30,8 @@ int ask_for_real_time(bool above_servo);
 /// Returns a guard object that restores the present scheduling in the same thread.
 AtEnd keep_scheduling();
 
-/// Locks the process's memory against paging, as far as the system permits, until the result is destroyed. Memory that
-/// the program has locked before stays locked.
+/// Locks the process's memory against paging, as far as the system permits, until the result is destroyed. Memory that the
+/// program has locked before stays locked.
 AtEnd lock_memory(std::atomic<int> &error);
 } // namespace ode_predictive_space::haptics
 

@@ -12,9 +12,8 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Counts of times in buckets of constant relative width. Allocates nothing after construction.
-///
-/// One thread adds; any thread may read at any time, and may miss the last value.
+/// Counts of times in buckets of constant relative width. Allocates nothing after construction. One thread adds; any thread may
+/// read at any time, and may miss the last value.
 class TimeHistogram
 {
 public:
@@ -71,9 +70,7 @@ private:
         number.store(number.load(std::memory_order_relaxed) + by, std::memory_order_relaxed);
     }
 
-    /// The octave is the exponent of the time, the step the leading bits of its mantissa.
-    ///
-    /// @param time ns.
+    /// The octave is the exponent of the time, the step the leading bits of its mantissa. @param time ns.
     static std::size_t bucket_of(double time)
     {
         int exponent = 0;

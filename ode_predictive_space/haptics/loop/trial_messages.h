@@ -1,4 +1,4 @@
-// Suppression of ODE's messages about trial steps.
+// Suppression of ODE's messages about trial steps, which the program has not made.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_TRIAL_MESSAGES_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_TRIAL_MESSAGES_H
@@ -7,8 +7,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Counts messages of ODE in its thread during its lifetime, and keeps them from the program, which has not made these
-/// steps. Messages of other threads reach the program's handler.
+/// Counts messages of ODE in its thread during its lifetime. Messages of other threads reach the program's handler.
 class TrialMessages
 {
 public:

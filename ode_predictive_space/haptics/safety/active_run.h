@@ -18,8 +18,8 @@ public:
     /// For the loop: it has ended, and uses neither itself nor the probe any more.
     void end() { end_.set_value(); }
 
-    /// For destructors: ends the loop, and waits for it. In the loop's own thread, or after 5 s, terminates the program
-    /// without force and with a message.
+    /// For destructors: ends the loop, and waits for it. In the loop's own thread, or after 5 s, terminates the program without
+    /// force and with a message.
     void end_and_wait(const char *what) noexcept;
 
 private:

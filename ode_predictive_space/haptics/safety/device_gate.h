@@ -11,11 +11,9 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Ensures that two threads are never in a device at once, without waiting: a call that finds the device busy is
-/// skipped. A servo that hangs in the program's part is not in the device, so the guard can set its force to zero.
-///
-/// After that, the gate blocks the servo's forces until notice_closing(), because a force from before the hang must not
-/// be rendered.
+/// Ensures that two threads are never in a device at once, without waiting: a call that finds the device busy is skipped. A
+/// servo that hangs in the program's part is not in the device, so the guard can set its force to zero. Then the gate blocks
+/// the servo's forces until notice_closing(), because a force from before the hang must not be rendered.
 class DeviceGate
 {
 public:
@@ -28,8 +26,7 @@ public:
     bool read(double time, DeviceState &state);
 
     /// For the servo. @return false, without writing, when the guard is in the device or has closed the gate since
-    /// notice_closing(). Zero passes a closed gate, because the guard may have found the device busy.
-    /// @throws DeviceError
+    /// notice_closing(). Zero passes a closed gate, because the guard may have found the device busy. @throws DeviceError
     bool write(const Wrench &wrench);
 
     /// For the servo: sets zero force; closes a device that refuses. Does nothing when the guard is in the device.
@@ -39,7 +36,6 @@ public:
     bool notice_closing();
 
     /// For the guard: sets zero force, and closes the gate until notice_closing().
-    ///
     /// @return false when the servo is in the device; if that persists, the driver hangs.
     /// @throws DeviceError of a device that refused and was closed.
     bool close_with_zero(double now);

@@ -30,8 +30,7 @@ AtEnd opened(Device &device)
     return AtEnd([&device] { device.close(); });
 }
 
-/// The reason for which a state is impossible, or 0. A device may leave its reported workspace by up to a metre or
-/// twice its size.
+/// The reason why a state is impossible, or 0. A device may leave its workspace by up to a metre or twice its size.
 const char *nonsense_in(const DeviceState &state, const Eigen::AlignedBox3d &workspace)
 {
     const bool is_finite = std::isfinite(state.time) && state.position.allFinite() &&

@@ -1,4 +1,4 @@
-// Notices to the program, with a limited rate for each topic.
+// Notices to the program, at most one a second for each topic.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_DESK_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_DESK_H
@@ -10,7 +10,6 @@ namespace ode_predictive_space::haptics
 /// For a catch block: appends the text of a std::exception to the sentence, which has no full stop.
 std::string with_reason(const std::string &sentence);
 
-/// Limits each topic to one notice a second.
 class NoticeDesk
 {
 public:

@@ -7,10 +7,9 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Each renderer registers its gate during its lifetime. From the first one on, exit(), quick_exit(), std::terminate()
-/// and abort() set zero force on all; handlers that the program installed before are called afterwards.
-///
-/// The gates are read without a lock, so that the program may end anywhere, even while a gate is added.
+/// Each renderer registers its gate during its lifetime. From the first one on, exit(), quick_exit(), std::terminate() and
+/// abort() set zero force on all; handlers that the program installed before are called afterwards. The gates are read without
+/// a lock, so that the program may end anywhere, even while a gate is added.
 namespace open_gates
 {
 void add(DeviceGate &gate);

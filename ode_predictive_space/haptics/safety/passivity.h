@@ -1,4 +1,5 @@
-// Passivity observer and controller.
+// Passivity observer and controller for an impedance device, linear axes (Hannaford and Ryu, "Time-domain passivity control of
+// haptic interfaces", 2002).
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_PASSIVITY_H
@@ -12,17 +13,13 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Passivity observer and controller (Hannaford and Ryu, "Time-domain passivity control of haptic interfaces", 2002),
-/// for an impedance device, linear axes.
+/// The observer sums the energy from the hand: minus the written force times the hand's displacement under it, which is exact
+/// because a device holds its force between writes. A negative sum means that energy was created, as by a wall that is too
+/// stiff or late. Then the controller adds damping that removes the surplus in one tick, up to max_damping. Without a requested
+/// force no energy is stored, so a credit ends and cannot hide later activity; a debt remains.
 ///
-/// The observer sums the energy from the hand: minus the written force times the hand's displacement under it, which is
-/// exact because a device holds its force between writes. A negative sum means that energy was created, as by a wall
-/// that is too stiff or late. Then the controller adds damping that removes the surplus in one tick, up to max_damping.
-///
-/// With a delay (see set_delay()), the observer pairs each motion with the force that caused it. The damping is late,
-/// too, so a delay also requires softer walls (see check_stability()).
-///
-/// Without a requested force no energy is stored, so a credit ends and cannot hide later activity; a debt remains.
+/// With a delay (see set_delay()), the observer pairs each motion with the force that caused it. The damping is late, too, so a
+/// delay also requires softer walls (see check_stability()).
 class PassivityController
 {
 public:
@@ -33,9 +30,7 @@ public:
         written_.fill(Vector3::Zero());
     }
 
-    /// Sets the round-trip delay from a written force to the position that it causes.
-    ///
-    /// @param ticks rounded; up to most_delay.
+    /// Sets the round-trip delay from a written force to the position that it causes. @param ticks rounded; up to most_delay.
     void set_delay(double ticks)
     {
         delay_ = static_cast<std::size_t>(std::lround(std::clamp<double>(ticks, 0, most_delay)));
@@ -43,11 +38,8 @@ public:
 
     static constexpr int most_delay = 63; ///< ticks
 
-    /// One tick, before the safety stage.
-    ///
-    /// @param requested N; the law's force on the hand.
-    /// @param dt seconds from this tick to the next, > 0.
-    /// @return the requested force plus the controller's damping. All in the device's frame.
+    /// One tick, before the safety stage, in the device's frame. @param requested N; the law's force on the hand.
+    /// @param dt seconds from this tick to the next, > 0. @return the requested force plus the controller's damping.
     Vector3 control(const DeviceState &state, const Vector3 &requested, double dt)
     {
         if (has_position_)

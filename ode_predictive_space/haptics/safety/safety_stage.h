@@ -7,7 +7,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Actions of the safety stage on a wrench.
 enum class SafetyAction
 {
     not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
@@ -33,24 +32,19 @@ struct SafetyReport
     bool began(SafetyAction action) const { return (begun >> static_cast<int>(action)) & 1u; }
 };
 
-/// Limits any wrench to a safe one. One stage belongs to one device and its servo. Neither allocates nor locks.
-///
-/// For any request, the returned wrench
-/// - is finite;
-/// - is never above the maximum, nor above the maximum times the allowance;
-/// - changes by at most max_force_rate times the time between the calls, except towards zero: a fault (not_finite,
-///   too_fast) removes the force at once, and a falling allowance as fast as it falls;
-/// - is zero from the start until the request was small once, so that a probe that begins inside of something does not
-///   kick.
-///
+/// Limits any wrench to a safe one. One stage belongs to one device and its servo. Neither allocates nor locks. For any
+/// request, the returned wrench
+/// - is finite, and never above the maximum, nor above the maximum times the allowance;
+/// - changes by at most max_force_rate times the time between the calls, except towards zero: a fault (not_finite, too_fast)
+///   removes the force at once, and a falling allowance as fast as it falls;
+/// - is zero from the start until the request was small once, so that a probe that begins inside of something does not kick.
 /// The time between two calls counts as at most 10 ms, so that the force changes slowly after a pause.
 class SafetyStage
 {
 public:
     explicit SafetyStage(const SafetyLimits &limits);
 
-    /// @param requested in the device's frame.
-    /// @param velocity m/s; of the hand, in the device's frame.
+    /// @param requested in the device's frame. @param velocity m/s; of the hand, in the device's frame.
     /// @param time s, on the loop's clock; a step back counts as no time.
     /// @param allowance 0 to 1; allowed part of the force (see Watchdog).
     Wrench limit(const Wrench &requested, const Vector3 &velocity, double time, double allowance = 1);
@@ -87,7 +81,6 @@ private:
 };
 
 /// check_stability() without a text, which neither allocates nor throws. Damping that cannot be passive becomes zero.
-///
 /// @return the rendering with allowed stiffness and damping.
 Rendering renderable(const Capabilities &capabilities, const Rendering &rendering) noexcept;
 } // namespace ode_predictive_space::haptics

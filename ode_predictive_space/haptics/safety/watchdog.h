@@ -35,13 +35,10 @@ struct WatchdogLimits
     static WatchdogLimits of(double servo_rate, double physics_rate);
 };
 
-/// Supervises servo, physics and device, and computes the allowed part of the force.
-///
-/// It falls linearly to 0 within decay_time of a fault, so that a slightly late tick costs little, and rises within
-/// ramp_time. It begins at 0, and rises after signs of life of all three.
-///
-/// physics_fresh() may be called from any thread, all else from the servo. Neither allocates nor locks. Times are in s
-/// on one clock. LoopGuard handles a servo that hangs.
+/// The allowed part of the force falls linearly to 0 within decay_time of a fault, so that a slightly late tick costs little,
+/// and rises within ramp_time. It begins at 0, and rises after signs of life of servo, physics and device. physics_fresh() may
+/// be called from any thread, all else from the servo. Neither allocates nor locks. Times are in s on one clock. LoopGuard
+/// handles a servo that hangs.
 class Watchdog
 {
 public:
@@ -60,7 +57,6 @@ public:
     /// The reason for which factor() falls or stays at 0; none while it rises.
     WatchdogReason reason() const { return reason_; }
 
-    /// Whether reason() differs from that of the tick before.
     bool has_new_reason() const { return reason_ != reason_before_; }
 
 private:

@@ -20,9 +20,7 @@ public:
         return agreement;
     }
 
-    /// Shows the hash as the label of a benchmark, which fails if an earlier one had another hash.
-    ///
-    /// @param what the row on which the spaces must agree.
+    /// Labels a benchmark with the hash. It fails if an earlier one of the row `what` had another hash.
     void check(benchmark::State &state, const std::string &what, std::uint64_t hash)
     {
         state.SetLabel(worlds::hexadecimal(hash));

@@ -1,5 +1,3 @@
-// The benchmarks that predictive_bench registers, by kind.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_CLOCKS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_CLOCKS_H
 

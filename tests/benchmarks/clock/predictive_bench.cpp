@@ -1,5 +1,4 @@
-// Times the worlds of demos/worlds in the predictive space, in ODE's spaces and in other broad phases. Every claim is a ratio
-// measured in one run, with the same motion.
+// Times the worlds of demos/worlds in all spaces and broad phases. Every claim is a ratio of one run, with the same motion.
 
 #include "demos/runs/spaces.h"
 #include "demos/runs/statistics.h"
@@ -60,7 +59,6 @@ void print_help()
     benchmark::PrintDefaultHelp();
 }
 
-/// Returns whether the option is given, and removes it from the arguments.
 bool take_option(const char *option, int &argc, char **argv)
 {
     char **const end = argv + argc;

@@ -26,8 +26,7 @@ constexpr int warm_up_ticks = 100;
 
 void answer_nothing(void *, dGeomID, dGeomID) {}
 
-/// A dSpaceCollide() of ODE's own spaces leaves nothing but clean geoms, and in some of them it would take most of the
-/// benchmark.
+/// A dSpaceCollide() of ODE's own spaces only cleans the geoms, and in some of them it would take most of the benchmark.
 void collide(dSpaceID space)
 {
     if (dSpaceIsPredictive(space) != 0)

@@ -1,5 +1,3 @@
-// Brute force as in the paper: an exact test of every pair.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BRUTE_FORCE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BRUTE_FORCE_H
 
@@ -7,8 +5,8 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// dSpaceCollide() calls dCollide(), for at most one contact, for every pair that bits and bodies allow to collide, and makes
-/// no callback. Contender::finish() finds the pairs whose boxes overlap afterwards, for the comparison.
+/// Brute force as in the paper: dSpaceCollide() calls dCollide(), for at most one contact, for every pair that bits and bodies
+/// allow to collide, and makes no callback. Contender::finish() finds the pairs whose boxes overlap, for the comparison.
 std::unique_ptr<worlds::Contender> make_brute_force();
 } // namespace ode_predictive_space::benchmarks
 

@@ -8,12 +8,10 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// btDbvtBroadphase. Each tick passes it the boxes of the moved geoms, rounded outwards to single precision, lets it find its
-/// pairs, and reports those whose exact boxes overlap.
+/// btDbvtBroadphase gets the boxes of moved geoms, rounded outwards to floats. Pairs of overlapping exact boxes are reported.
 std::unique_ptr<worlds::Contender> make_bullet_dbvt();
 
-/// As above with btAxisSweep3 or, if that has too few handles, bt32BitAxisSweep3; without their accelerators for rays, which
-/// are not used here.
+/// As above with btAxisSweep3 or, if that has too few handles, bt32BitAxisSweep3; without their accelerators for rays.
 std::unique_ptr<worlds::Contender> make_bullet_sap(const worlds::WorldFactory &factory);
 } // namespace ode_predictive_space::benchmarks
 

@@ -1,5 +1,3 @@
-// All contenders of the benchmarks.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
 
@@ -7,16 +5,12 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Their names: the spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap", "floor-boxes", "floor". Bullet's are included if
-/// Bullet was found by the build.
+/// The spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap" (with Bullet only), "floor-boxes", "floor".
 const std::vector<std::string> &contender_names();
 
-/// A contender of this name, for this world; "predictive" means "predictive-box".
-///
-/// @throws std::invalid_argument for a name that is not among contender_names().
+/// A contender for this world; "predictive" means "predictive-box". @throws std::invalid_argument for an unknown name.
 std::unique_ptr<worlds::Contender> make_contender(const std::string &name, const worlds::WorldFactory &factory);
 
-/// Whether a program can use it as a space: one of ODE's or a predictive one.
 bool is_space(const std::string &name);
 } // namespace ode_predictive_space::benchmarks
 

@@ -12,8 +12,7 @@ namespace ode_predictive_space::benchmarks
 /// another copy of the scene, some ticks ahead, has found them. The scene must not destroy geoms.
 std::unique_ptr<worlds::Contender> make_floor(const worlds::WorldFactory &factory);
 
-/// As above, and computes the bounding boxes of the moved geoms in these pairs, "floor-boxes": a broad phase that reports
-/// exactly the overlapping boxes needs them, unless they are known from elsewhere.
+/// As above, with the bounding boxes of the moved geoms in these pairs: a report of exactly the overlapping boxes needs them.
 std::unique_ptr<worlds::Contender> make_floor_with_boxes(const worlds::WorldFactory &factory);
 } // namespace ode_predictive_space::benchmarks
 

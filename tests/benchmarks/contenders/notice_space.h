@@ -33,8 +33,7 @@ public:
 protected:
     virtual void forget(Slot) {}
 
-    /// Slots of the geoms that have moved or were added since the last call, with boxes up to date. A slot may occur twice.
-    /// Valid until the next motion.
+    /// Slots of geoms moved or added since the last call, with current boxes, until the next motion. A slot may occur twice.
     const std::vector<Slot> &take_moved();
 
     /// The geom in a slot, or null.
@@ -50,7 +49,6 @@ protected:
             callback(data, first, second);
     }
 
-    /// Keeps the space locked, as ODE's own spaces do while they work.
     class Lock
     {
     public:

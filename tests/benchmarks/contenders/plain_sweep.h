@@ -1,5 +1,3 @@
-// The space's own sweep, with prediction off.
-
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_PLAIN_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_PLAIN_SWEEP_H
 
@@ -7,7 +5,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// Sorts and sweeps the boxes of all geoms from scratch in each tick. Only the boxes of moved geoms are computed again.
+/// The space's own sweep, without prediction: sorts all boxes in each tick, and computes those of moved geoms.
 std::unique_ptr<worlds::Contender> make_plain_sweep();
 } // namespace ode_predictive_space::benchmarks
 

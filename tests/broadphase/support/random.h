@@ -24,7 +24,6 @@ public:
 
     bool chance(double probability) { return uniform(0, 1) < probability; }
 
-    /// Components are uniform in [-half, half].
     Vector3 vector(double half)
     {
         const double x = uniform(-half, half), y = uniform(-half, half), z = uniform(-half, half);

@@ -35,7 +35,6 @@ bool holds(const FloatBox &outer, const Box &inner)
     return true;
 }
 
-// Half extents along the axes of space.
 Vector3 reach_of(const Object &object)
 {
     if (object.rotation == Object().rotation && object.formula != Watch::capsule)
@@ -273,8 +272,7 @@ bool World::boxes_and_spheres_overlap(ProxyId first, ProxyId second) const
 {
     if (!boxes_overlap(bounds_of(seen(first)), bounds_of(seen(second))))
         return false;
-    // An object without a bounding sphere has the one around its box. The tolerance is for rounding, here and in the broad
-    // phase.
+    // An object without a bounding sphere has the one around its box. The tolerance is for rounding on both sides.
     auto radius = [this](ProxyId id) {
         return std::isfinite(objects_[id].radius) ? objects_[id].radius : objects_[id].half.norm();
     };

@@ -17,8 +17,7 @@ namespace ode_predictive_space
 struct Object
 {
     Vector3 centre = Vector3::Zero();
-    /// Half sizes along its own axes. A sphere has its radius in all; a capsule has its radius in x and y, half its segment in
-    /// z.
+    /// Half sizes along its own axes: for a sphere, the radius; for a capsule, the radius in x and y and half its segment in z.
     Vector3 half = Vector3::Constant(0.1);
     double radius = 0.2;                    ///< radius of the bounding sphere; infinite without one
     Watch formula = Watch::nothing;         ///< formula of its bounding box for the broad phase; nothing: no formula
@@ -29,7 +28,6 @@ struct Object
     std::array<double, 12> rotation = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}; ///< three rows of four
 };
 
-/// The bounding box in double precision.
 Box bounds_of(const Object &object);
 
 Solid solid_of(const Object &object);
@@ -51,7 +49,6 @@ private:
     const Object &object_;
 };
 
-/// Moving objects, and a broad phase that is notified of each change.
 class World : public Scene
 {
 public:
@@ -63,9 +60,7 @@ public:
     ProxyId add(const Object &object);
     void remove(ProxyId id);
 
-    /// Notifies the broad phase of a change.
-    ///
-    /// @return true if it counts as a move.
+    /// Notifies the broad phase of a change. @return true if it counts as a move.
     bool touch(ProxyId id);
     void place(ProxyId id, const Vector3 &centre);
     /// Turns it about its centre. The angle is from its first orientation.
@@ -74,7 +69,6 @@ public:
     /// Moves every object by its displacement, and reports the moved ones.
     void advance();
 
-    /// Runs a tick and the report.
     Pairs tick();
     /// The reported pairs of enabled objects. The disabled ones are made known to the broad phase.
     Pairs report();
@@ -117,7 +111,6 @@ private:
 /// A ball without rotation, carried by a body that moves by `displacement` per tick.
 Object ball(const Vector3 &centre, double radius, const Vector3 &displacement);
 
-/// A capsule along its z axis, carried by a body.
 Object capsule(const Vector3 &centre, double radius, double half_segment, const Vector3 &displacement);
 
 /// As box(), without a formula for its bounding box.
@@ -125,7 +118,6 @@ Object block(const Vector3 &centre, const Vector3 &half, const Vector3 &displace
 
 Object box(const Vector3 &centre, const Vector3 &half, const Vector3 &displacement, bool with_body);
 
-/// The half space below z = height.
 Object floor_below(double height);
 } // namespace ode_predictive_space
 

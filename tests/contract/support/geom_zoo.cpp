@@ -17,7 +17,6 @@ std::size_t nearest_mesh(dReal size)
     return size < 0.6 ? 0 : size < 1.8 ? 1 : 2;
 }
 
-// A cube from (0, 0, 0) to (size, size, size).
 struct ConvexData
 {
     std::array<dReal, 24> planes;
@@ -167,8 +166,7 @@ dGeomID create_ball(dReal size, dSpaceID space)
     return geom;
 }
 
-// dGeomTriMeshSetData() marks the geom dirty without a notice: in a space, ODE would not report its later moves, and a simple
-// space would stop at an assertion. So the geom leaves its space for this.
+// dGeomTriMeshSetData() marks the geom dirty without a notice, so that a space would miss later moves: it leaves its space.
 void set_mesh(dGeomID geom, dTriMeshDataID data)
 {
     dSpaceID space = dGeomGetSpace(geom);

@@ -80,8 +80,7 @@ private:
     std::vector<Pairs> log_;
 };
 
-/// Runs the program in both kinds of space, in the predictive one with and without the calls of Asked. The logs must be the
-/// same, and not all empty.
+/// Logs of both kinds of space, of the predictive one with and without the calls of Asked, must be equal, and not all empty.
 void expect_as_simple(const std::function<void(Scenario &)> &program);
 } // namespace ode_predictive_space
 

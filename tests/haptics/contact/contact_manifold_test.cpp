@@ -42,8 +42,7 @@ TEST_F(ContactManifoldTest, WhatTheToolGoesOnToFromWhatRisesRisesOn)
     EXPECT_LT(after.part, 0.01);
 }
 
-// Once, a ball that took over from faster ones counted as an object that had appeared: half a second passed without its
-// force.
+// Once, a ball that took over from faster ones counted as an object that had appeared: half a second passed without its force.
 TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
 {
     const auto moving = [](std::uintptr_t object, double share, double speed) {
@@ -59,8 +58,7 @@ TEST_F(ContactManifoldTest, WhatTakesOverFromFasterOnesIsThereAtOnce)
     EXPECT_EQ(tick({moving(3, 0.004, 0)})[0].part, 0) << "the former did not move, and it is deeper";
 }
 
-// When bodies yield, the next touches have large shares immediately. Once, these counted as objects that had appeared, and the
-// force fell.
+// When bodies yield, the next touches have large shares immediately. Once, these counted as having appeared: the force fell.
 TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
 {
     const auto solved = [](std::uintptr_t object, double slant, double share) {
@@ -99,8 +97,7 @@ TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
     }
 }
 
-// Once, a body that moves only with the scene's next step yielded as if it moved within the tick: contacts were too stiff
-// while an object rose beside it.
+// Once, a body that moves only with the scene's next step yielded as if it moved within the tick: contacts were too stiff.
 TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
 {
     Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);

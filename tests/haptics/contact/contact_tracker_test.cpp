@@ -150,9 +150,7 @@ TEST(ContactTracker, LooksWhereverTheServoHoldsSomething)
         EXPECT_LE((Vector3(x, 0, 0) - region.centre).norm() + radius, region.radius) << x;
 }
 
-/// m; the largest radius of the region while the tool moves 1.4 m away.
-/// @param geoms added in each tick.
-/// @param before called before each tick with the tool's progress, 0 to 1.
+/// m; the largest radius of the region while the tool moves 1.4 m away. @param before called with the progress, 0 to 1.
 double largest_region(const std::vector<dGeomID> &geoms, const std::function<void(double)> &before)
 {
     MeshStore meshes;

@@ -10,7 +10,6 @@ namespace
 class GeomContact : public testing::Test
 {
 protected:
-    /// A contact at (0, 0, 0.999) of the geom with a tool at (0, 0, 1).
     NearbyGeom contact(double depth, const Vector3 &normal = Vector3::UnitZ()) const
     {
         dContactGeom found = {};
@@ -55,7 +54,6 @@ TEST_F(GeomContact, SurfacesMove)
     EXPECT_NEAR(touch.point.z(), 0.999 + 0.003, 1e-12);
 }
 
-/// A cube of 2 cm presses a plate that rises, with a scene at 100 Hz.
 TEST_F(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
 {
     for (const bool proxy_law : {false, true})

@@ -42,7 +42,6 @@ private:
     dHeightfieldDataID data_;
 };
 
-/// A field whose height depends on x only.
 HeightfieldSamples profile(double cell, int cells, const std::function<double(double x)> &height)
 {
     HeightfieldSamples samples;
@@ -160,7 +159,6 @@ TEST_P(HeightfieldContactTest, OtherSamplesEndTheContact)
     }
 }
 
-/// The plane is ODE's before set_samples() and after forget_samples().
 TEST(HeightfieldContact, WithoutSamplesItIsThePlaneThatOdeFinds)
 {
     const OdeUse ode;

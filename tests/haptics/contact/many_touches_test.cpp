@@ -9,7 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Balls that all touch the probe at the origin, so that the touches are alike.
 class ManyTouchesTest : public ContactTest
 {
 protected:
@@ -30,7 +29,6 @@ protected:
         }
     }
 
-    /// N
     double sum_of_springs() const
     {
         double sum = 0;
@@ -108,8 +106,7 @@ double energy_after_bounce(int balls, double physics_rate, std::shared_ptr<Force
     return scene.energy();
 }
 
-// Eight balls are rolled out. Once, the roll-outs moved all others with the whole impulse of the hand, although these answer
-// a push only at the next step: they left with 1e9 times the energy.
+// Eight balls are rolled out. Once, the others, which respond only at the next step, left with 1e9 times the energy.
 TEST(ManyBodies, BounceOffInTwoThreadsAsInOne)
 {
     for (const int balls : {8, 9, 20})

@@ -50,8 +50,7 @@ protected:
             dBodyDestroy(body);
     }
 
-    /// Lifts a geom at a speed (m/s) until its top is `pressed` deep in the probe.
-    /// @return N; the final force.
+    /// Lifts a geom at a speed (m/s) until its top is `pressed` deep in the probe. @return N; the final force.
     Vector3 force_of_lift(Posed kind, double speed, int phase)
     {
         const dGeomID geom = add(kind);

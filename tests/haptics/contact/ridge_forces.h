@@ -1,4 +1,4 @@
-// Compares the forces of a slide over ridges with the truth.
+// Expects the forces of a slide over ridges within 1 % of the truth, and more than `least_felt` samples above 0.5 N.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_RIDGE_FORCES_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_RIDGE_FORCES_H
@@ -8,7 +8,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Expects each force within 1 % of the truth, and more than `least_felt` samples above 0.5 N.
 template <typename Samples>
 void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, double least_felt)
 {

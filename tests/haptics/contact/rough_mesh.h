@@ -10,7 +10,6 @@ namespace ode_predictive_space::haptics
 {
 /// A sheet about the origin. Each octave of waves is half as long and two thirds as high as the one before, down to a few
 /// cells, so that the sheet has ridges of all sizes and no overhangs.
-///
 /// @param side m. @param cells along each side. @param height m; of the longest wave. @param noise m; of each vertex.
 inline MeshShape rough_sheet(double side, int cells, double height, double noise, unsigned seed)
 {
@@ -33,9 +32,7 @@ inline MeshShape rough_sheet(double side, int cells, double height, double noise
 }
 
 /// A closed ball of some 4 n^2 triangles about the origin, with ridges and hollows of all sizes.
-///
-/// @param mean m; its mean radius. @param rings n, between the poles. @param roughness of its radius.
-/// @param noise m; of each vertex.
+/// @param mean m; mean radius. @param rings n, between the poles. @param roughness of the radius. @param noise m; of vertices.
 inline MeshShape rough_ball(double mean, int rings, double roughness, double noise, unsigned seed)
 {
     RandomNumbers random(seed);

@@ -1,4 +1,4 @@
-// A hand that scrubs over a ball as rough as a scan, and the cost of its ticks.
+// A hand that scrubs in straight lines over, off and sometimes through a ball as rough as a scan, and the cost of its ticks.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
@@ -17,14 +17,12 @@ namespace ode_predictive_space::haptics
 {
 constexpr double scrubbed_ball = 0.05; // m
 
-/// A ball of some 4 n^2 triangles. Its noise is in proportion to its cells, so that edges and angles between triangles have the
-/// same distribution at each resolution.
+/// A ball of some 4 n^2 triangles. Its noise is in proportion to its cells, so that its angles do not depend on the resolution.
 inline MeshShape scanned_ball(int rings)
 {
     return rough_ball(scrubbed_ball, rings, 0.03, 0.2 * M_PI * scrubbed_ball / rings, 1);
 }
 
-/// Scrubs over the ball in straight lines at changing depths, sometimes through it, and sometimes off it.
 class Scrub
 {
 public:
@@ -65,9 +63,7 @@ inline double processor_time()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Runs ticks of 1 ms with the proxy law. All meshes in the space are prepared first.
-///
-/// @param size m; the probe's radius.
+/// Runs ticks of 1 ms with the proxy law. All meshes in the space are prepared first. @param size m; the probe's radius.
 inline ScrubbingResult scrub(dSpaceID space, double size, int ticks)
 {
     ScriptedDevice device{Scrub(size)};

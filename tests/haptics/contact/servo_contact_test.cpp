@@ -48,7 +48,6 @@ TEST_P(ServoContactTest, TheServoAllocatesNothing)
         }
 }
 
-/// The data of a geom alternate between two sheets, one 3 cm below the other.
 TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
 {
     MeshShape shape = sheet_mesh(0.4, 8);

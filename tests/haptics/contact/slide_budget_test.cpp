@@ -50,8 +50,7 @@ TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
     EXPECT_GT(felt, ticks / 4);
 }
 
-/// The meshes are as dense as scans; the long test has 1.3 million triangles. Sanitizers do not reduce the ticks, so that the
-/// hand has time to arrive.
+/// The meshes are as dense as scans. Sanitizers do not reduce the ticks, so that the hand has time to arrive.
 TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
 {
     constexpr int ticks = 1500;

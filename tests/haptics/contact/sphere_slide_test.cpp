@@ -133,8 +133,7 @@ bool crosses(const Vector3 &from, const Vector3 &to, const TriangleCorners &corn
     return nearest_on_triangle(point, corners).squared_distance < 1e-20;
 }
 
-/// A goal jumps about in a mesh of unconnected triangles. The path of the sphere's centre within a run is unknown, but nearly
-/// straight if `longest` is short.
+/// A goal jumps about in a mesh of loose triangles. The centre's path is unknown, but nearly straight if `longest` is short.
 TEST(SphereSlide, NeverPassesAnything)
 {
     const OdeUse ode;

@@ -1,5 +1,3 @@
-// Opening, closing and the exchange of states and forces, with a stand-in for the vendor's library.
-
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include "tests/haptics/stand_ins/fake_hd_control.h"

@@ -1,5 +1,3 @@
-// A 3D mouse with a stand-in for its server.
-
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include "tests/haptics/stand_ins/fake_spacenavd.h"

@@ -1,5 +1,3 @@
-// Success and failure of the connection to the server of 3D mice.
-
 #include "ode_predictive_space/haptics/device/spnav_connection.h"
 
 #include "tests/haptics/stand_ins/fake_spacenavd.h"

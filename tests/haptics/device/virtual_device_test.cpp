@@ -13,7 +13,6 @@ Vector3 origin(double)
     return Vector3::Zero();
 }
 
-/// A mass alone: exact encoders and no spring.
 VirtualDeviceSettings free_mass()
 {
     VirtualDeviceSettings settings;

@@ -90,9 +90,8 @@ double mean_of(const std::vector<double> &values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Once, each impulse acted at the place of the touch in the scene, although the body had moved since. The lever arm was wrong
-// by millimetres, light balls left with hundreds of radians per second and threw the proxy about: they gained up to 1e13 times
-// their energy.
+// Once, each impulse acted at the place of the touch in the scene, although the body had moved since: with lever arms that were
+// wrong by millimetres, light balls spun, threw the proxy about and gained up to 1e13 times their energy.
 TEST(Bounce, LightBodiesLeaveInTwoThreadsAsInOne)
 {
     for (const bool by_proxy : {true, false})

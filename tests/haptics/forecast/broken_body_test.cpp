@@ -165,7 +165,6 @@ enum class In
     advance
 };
 
-/// The hand leans on a plane; a body elsewhere breaks.
 class BrokenBodyRun
 {
 public:

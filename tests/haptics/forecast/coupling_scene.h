@@ -315,7 +315,6 @@ inline CouplingCase stack(int count)
     return stack;
 }
 
-/// A trunk that hangs by its neck, arms and legs of two parts each.
 inline CouplingCase ragdoll()
 {
     CouplingCase ragdoll;
@@ -407,7 +406,6 @@ inline CouplingCase corner()
     return corner;
 }
 
-/// A cart on rails. A hand that comes down on it drags it along by friction.
 inline CouplingCase dragged_cart()
 {
     CouplingCase cart;

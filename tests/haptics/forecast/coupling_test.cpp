@@ -23,7 +23,6 @@ std::ostream &operator<<(std::ostream &stream, const NamedCase &named)
     return stream << named.name;
 }
 
-/// Adds the scene with both steppers of ODE, each at its rates.
 void add_both(std::vector<NamedCase> &cases, const char *name, const CouplingCase &scenario,
               const std::vector<double> &exact_rates, const std::vector<double> &quick_rates)
 {

@@ -1,5 +1,4 @@
-// Hands press on many light bodies at once, in one thread or in two. In simulated time both threads run in one, so that all
-// runs are alike.
+// Hands press on many light bodies, in one thread or in two. In simulated time both run in one, so that all runs are alike.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_CROWD_RUN_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_CROWD_RUN_H
@@ -271,8 +270,7 @@ private:
         last_tool_ = tick.tool.position;
     }
 
-    /// In two threads, the servo predicts the motion of the scene's next step.
-    /// @param speed m/s; of the fastest body.
+    /// In two threads, the servo predicts the motion of the scene's next step. @param speed m/s; of the fastest body.
     void explain_changes(double speed)
     {
         const double of_surfaces = std::max(stiffness, std::sqrt(stiffness * scenario_.kilograms / 2) / tick_length);
@@ -285,7 +283,6 @@ private:
         changes_.clear();
     }
 
-    /// A pseudorandom number from -1 to 1.
     double number()
     {
         random_ = random_ * 1103515245u + 12345u;

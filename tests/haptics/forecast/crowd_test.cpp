@@ -37,9 +37,8 @@ std::vector<CrowdCase> crowds_in_one_thread()
 
 INSTANTIATE_TEST_SUITE_P(OneThread, CrowdTest, testing::ValuesIn(crowds_in_one_thread()), name_of_crowd);
 
-/// Each ball is a plane at its point nearest to the proxy. Once, balls were contacts of the tool: their normals turned faster
-/// the deeper the tool was, and walls at the proxy counted from the tool. 15 % of the energy was made, and forces jumped by 2.2
-/// N.
+/// Each ball is a plane at its point nearest to the proxy. Once, balls were contacts of the tool, whose normals turned faster
+/// the deeper the tool was: 15 % of the energy was made, and forces jumped by 2.2 N.
 TEST(CrowdThatOnlyCollideKnows, IsAsQuietAsOthers)
 {
     for (const int balls : {5, 9})

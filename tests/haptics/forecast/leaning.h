@@ -1,5 +1,4 @@
-// A hand leans on a box, or scrubs it, in two threads as in one. QuickStep sometimes lifts the box by up to 2 mm, which must
-// not reach the hand.
+// A hand leans on a box, or scrubs it. QuickStep sometimes lifts the box by up to 2 mm, which must not reach the hand.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_LEANING_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_LEANING_H
@@ -15,7 +14,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The parameters: ODE's stepper, and the rate of the scene in Hz.
 class LeaningTest : public testing::TestWithParam<std::tuple<Stepper, int>>
 {
 protected:

@@ -48,8 +48,7 @@ TEST_F(TrialMessagesTest, KeepBackThoseOfTheirThreadAloneAndLeaveTheHandlerAsItW
     EXPECT_EQ(next.count(), 0U);
 }
 
-/// A hand presses on a box beside its middle. The contacts of box and floor depend on each other, which makes dWorldStep() send
-/// messages.
+/// The contacts of a box that a hand presses beside its middle depend on each other: dWorldStep() sends messages.
 TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
 {
     ProbeWorld world;

@@ -7,7 +7,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Adds a constant sideways pull to the forces of contact.
 class Magnet final : public ForceLaw
 {
 public:

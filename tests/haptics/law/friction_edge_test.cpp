@@ -33,8 +33,7 @@ protected:
             1.6);
     }
 
-    /// Expects a tangential force of at most mu times the normal one.
-    /// @param normal of the surface at the place nearest to a point.
+    /// Expects a tangential force of at most mu times the normal one. @param normal of the surface nearest to a point.
     void expect_cone(const std::vector<Sample> &samples, const std::function<Vector3(const Vector3 &)> &normal) const
     {
         int sliding = 0;

@@ -1,5 +1,3 @@
-// Ensembles of hands that take long.
-
 #include "tests/haptics/forecast/coupling_run.h"
 
 #include <string>

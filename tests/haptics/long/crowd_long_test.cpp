@@ -1,5 +1,3 @@
-// Piles of light bodies in two threads, which take long.
-
 #include "tests/haptics/forecast/crowd_run.h"
 
 namespace ode_predictive_space::haptics

@@ -83,8 +83,7 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
     }
 }
 
-// Each impulse reaches the scene before its step. Once, impulses came a tick late and were made up for by pulses: steps of
-// 1.25 ms got 0.5 to 1.6 times the force.
+// Once, impulses came a tick late and were made up for by pulses: steps of 1.25 ms got 0.5 to 1.6 times the force.
 TEST_F(DecoupledLoopTest, ASteadyForceReachesABodyEvenly)
 {
     for (const double physics : {300.0, 600.0, 800.0, 1000.0})
@@ -181,7 +180,6 @@ TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
     EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
 }
 
-/// A law or a recorder hangs once for 0.1 s.
 class HangingServoTest : public DecoupledLoopTest
 {
 protected:

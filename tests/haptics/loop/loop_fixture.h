@@ -91,7 +91,6 @@ protected:
     std::unique_ptr<HapticLoop> loop_;
 };
 
-/// A penalty law that also calls a function of the test.
 class TroubledLaw : public ForceLaw
 {
 public:

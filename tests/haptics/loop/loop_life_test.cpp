@@ -48,7 +48,6 @@ protected:
         loop_ = std::make_unique<HapticLoop>(*probe_, settings);
     }
 
-    /// @return whether the loop had ended when `destroy` returned.
     bool ended_by(const std::function<void()> &destroy)
     {
         HapticLoop &loop = *loop_;

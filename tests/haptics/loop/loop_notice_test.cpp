@@ -1,5 +1,3 @@
-// The notices of both kinds of loops: their times and their number.
-
 #include "tests/haptics/loop/loop_fixture.h"
 
 #include <cmath>
@@ -60,7 +58,6 @@ TEST_P(LoopNoticeTest, AllNoticesHaveSimulatedTime)
     EXPECT_NEAR(of_stalls()[1].time, 2.2, 0.1);
 }
 
-// Each cause has at most one notice per second; other causes, of the same kind or another, do not wait.
 TEST_P(LoopNoticeTest, ACauseThatComesAgainIsToldOnceASecondAndANewOneAtOnce)
 {
     RenderSettings rendering = usual_rendering();

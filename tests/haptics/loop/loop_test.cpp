@@ -96,8 +96,6 @@ TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
     dGeomDestroy(broken);
 }
 
-// --- Ends -----------------------------------------------------------------------------------------------------------------
-
 TEST_P(HapticLoopTest, EndsWhenItIsToldTo)
 {
     make();
@@ -228,8 +226,6 @@ TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
     EXPECT_GT(log_.force_at(2.99).z(), 1);
     EXPECT_TRUE(log_.was_quiet(clock_.now(), clock_.now() + 1));
 }
-
-// --- Punctuality ----------------------------------------------------------------------------------------------------------
 
 TEST_P(HapticLoopTest, ALittleDelayIsMadeUpFor)
 {

@@ -57,8 +57,7 @@ RenderSettings without_ramp()
 class LoopThreadsTest : public testing::Test
 {
 protected:
-    // The hand presses once a second: when a busy machine delays the loop, the force is dropped, and returns only with the next
-    // press.
+    // The hand presses once a second, because a force that a busy machine drops returns only with the next press.
     LoopThreadsTest()
         : device_([](double seconds) -> Vector3 {
               const double phase = std::fmod(seconds, 1);

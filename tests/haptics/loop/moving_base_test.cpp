@@ -1,5 +1,3 @@
-// A device whose base moves in the scene.
-
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/probe.h"
 

@@ -1,5 +1,3 @@
-// The number of scene steps, for made-up durations of steps in simulated time.
-
 #include "ode_predictive_space/haptics/loop/loop_parts.h"
 
 #include "ode_predictive_space/haptics/loop.h"

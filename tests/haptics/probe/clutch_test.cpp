@@ -37,7 +37,6 @@ protected:
     }
 };
 
-/// Strokes of 4 mm take the hand deeper and deeper into a wall of 5 cm.
 TEST_F(ClutchTest, AWallHoldsAfterEachReleaseAndSoDoesTheNextOne)
 {
     for (const bool proxy : {true, false})
@@ -71,7 +70,6 @@ TEST_F(ClutchTest, AWallHoldsAfterEachReleaseAndSoDoesTheNextOne)
     }
 }
 
-/// A floor that is touched after the release holds in full while the force of the wall around the tool rises.
 TEST_F(ClutchTest, OnlyWhatTheToolIsInAtTheReleaseRises)
 {
     ProbeWorld world;
@@ -99,7 +97,6 @@ TEST_F(ClutchTest, OnlyWhatTheToolIsInAtTheReleaseRises)
     EXPECT_NEAR(probe.last_tick().force.x() / pressing, 0.46, 0.03) << "the wall";
 }
 
-/// A wall holds the tool body off the tool. After the release, the coupling draws the body to it gradually.
 TEST_F(ClutchTest, ACouplingComesBackGradually)
 {
     ProbeWorld world;

@@ -11,8 +11,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-// --- A tool body --------------------------------------------------------------------------------------------------------
-
 TEST_F(HapticProbeTest, AToolBodyFollowsTheHandAndIsStoppedByAWall)
 {
     ProbeWorld world;
@@ -151,8 +149,6 @@ TEST_F(HapticProbeTest, AToolBodyThatIsGoneEndsWithZeroForceAndANotice)
             dWorldDestroy(own_world);
     }
 }
-
-// --- Prediction -----------------------------------------------------------------------------------------------------------
 
 TEST_F(HapticProbeTest, TellsWhatItWillMeetAndWhen)
 {

@@ -12,7 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// Renders a tick with a wall below z = 0.
 void feel_wall(Renderer &renderer, double time)
 {
     renderer.read(time, time);
@@ -54,7 +53,6 @@ TEST(Renderer, AllocatesNothingWhileTheDeviceAnswers)
     EXPECT_GT(most, 1);
 }
 
-/// An active law: it drives the hand on in its direction.
 class DrivingLaw : public ForceLaw
 {
 public:
@@ -101,8 +99,7 @@ public:
     Vector3 force = Vector3::Zero();
 };
 
-/// While the hand pushes in, the law requests ten times the rendered force. The hand works against the rendered one, so that a
-/// softer force can give back no more than that.
+/// Pushing in, the hand works against the rendered force, a tenth of the requested one: a softer force gives back no more.
 TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
 {
     constexpr int start = 300; // until then the watchdog lets the force rise

@@ -152,7 +152,6 @@ public:
         shown_ = SimulatedClock::now();
     }
 
-    /// Ends the alternation, because the loop of this clock has ended.
     void end()
     {
         const std::lock_guard<std::mutex> lock(turns_.mutex);
@@ -234,7 +233,6 @@ TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
     }
 }
 
-// Runs by the wall clock, which also suits ThreadSanitizer.
 TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
 {
     for (const bool decoupled : {false, true})

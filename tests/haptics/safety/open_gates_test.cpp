@@ -35,7 +35,6 @@ public:
 class OpenGatesTest : public ProgramEnds
 {
 protected:
-    /// Calls `end` in the driver when the guard writes zero.
     ProgramEnd end_in_driver_of_guard(const std::function<void()> &end)
     {
         return end_of_pressing([&] {

@@ -124,8 +124,7 @@ TEST(Passivity, BoundsTheEnergyOfAWallThatAnswersLate)
     EXPECT_GT(controlled.least_energy, -0.01);
 }
 
-/// A force of one tick and a motion of one tick: the motion is charged to the force that acted `delay` ticks before, and to no
-/// other.
+/// A force of one tick and a motion of one tick: the motion is charged only to the force that acted `delay` ticks before.
 TEST(Passivity, AMotionIsPaidByTheForceOfTheDelayBefore)
 {
     for (const int delay : {0, 1, 2, 5, PassivityController::most_delay})

@@ -41,7 +41,6 @@ class PlausibilityTest : public HapticProbeTest
 protected:
     PlausibilityTest() { dCreatePlane(world_.space, 0, 0, 1, 0); }
 
-    /// N; the largest force on the device in this time.
     double most_force_after(ScriptedDevice &device, double from, double to)
     {
         HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
@@ -133,7 +132,6 @@ TEST_F(PlausibilityTest, OneReadThatIsNotANumberDoesNotCostTheWall)
     }
 }
 
-/// From 1.7 s on, the time of its states is not a number.
 class TimelessDevice : public FaultyDevice
 {
 public:

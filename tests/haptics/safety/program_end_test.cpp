@@ -109,7 +109,6 @@ private:
     std::function<void()> at_now_;
 };
 
-/// A penalty law that multiplies its forces by a factor of the program.
 class OwnLaw : public ForceLaw
 {
 public:
@@ -131,7 +130,6 @@ private:
     std::function<double()> factor_;
 };
 
-/// A program that leans on a plane and reports each of its callbacks.
 class LeaningProgram
 {
 public:

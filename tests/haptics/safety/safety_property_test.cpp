@@ -1,5 +1,3 @@
-// Properties of the safety stage that hold for every input.
-
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/safety/safety_stage.h"
 

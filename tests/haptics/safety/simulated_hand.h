@@ -11,8 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Device and hand as a mass with a damper on the x axis. The motion is exact, because the force is constant between two
-/// writes.
+/// Device and hand as a mass with a damper on the x axis. The motion is exact, as the force is constant between writes.
 struct SimulatedHand
 {
     double mass = 0.1;    // kg

@@ -103,7 +103,6 @@ TEST_F(SecondProbeEnds, CaughtItLeavesTheFirstAloneAndStillGuarded)
     expect_zero();
 }
 
-/// The parameter: one of the two probes.
 class TwoProbesEnd : public ProgramEnds, public testing::WithParamInterface<int>
 {};
 

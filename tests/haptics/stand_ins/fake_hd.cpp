@@ -1,5 +1,4 @@
-// A stand-in for OpenHaptics' HD library, for tests: its binary interface, a scheduler thread, an arm whose motion the test
-// sets, errors on demand, and a force that plays until the next one.
+// A stand-in for OpenHaptics' HD library: a scheduler thread, an arm whose motion the test sets, and errors on demand.
 
 #include "tests/haptics/stand_ins/fake_hd_state.h"
 

@@ -43,8 +43,7 @@ std::uint64_t fake_hd_frames();
 /// N; the force of the motors: the last one of a frame, even if no more frames follow, while the force output is on.
 void fake_hd_playing(double force[3]);
 
-/// N; the force of the motors at the last stop of the scheduler.
-/// @return the number of successive frames with zero force before that.
+/// N; of the motors at the scheduler's last stop. @return the number of successive frames with zero force before that.
 std::uint64_t fake_hd_playing_at_stop(double force[3]);
 
 /// The functions called since the reset, in order, each followed by a blank. Those of frames and errors are left out.

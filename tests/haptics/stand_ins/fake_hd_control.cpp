@@ -1,5 +1,3 @@
-// The tests' side of the stand-in for OpenHaptics' HD library.
-
 #include "tests/haptics/stand_ins/fake_hd_state.h"
 
 #include <algorithm>

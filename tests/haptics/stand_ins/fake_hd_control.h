@@ -47,7 +47,6 @@ public:
     decltype(&fake_hd_frames) frames = nullptr;
     decltype(&fake_hd_is_enabled) is_enabled = nullptr;
 
-    /// N; of the motors.
     Eigen::Vector3d playing() const
     {
         Eigen::Vector3d force;
@@ -55,7 +54,6 @@ public:
         return force;
     }
 
-    /// N; of the motors at the last stop of the scheduler.
     Eigen::Vector3d playing_at_stop() const
     {
         Eigen::Vector3d force;
@@ -63,7 +61,6 @@ public:
         return force;
     }
 
-    /// Number of successive frames with zero force before that.
     std::uint64_t frames_without_force_at_stop() const
     {
         double force[3];

@@ -19,8 +19,7 @@ enum class SpacenavdManner
     hangs_up_after_greeting
 };
 
-/// From its construction to stop(), its thread serves one client at a time at a new socket. SPNAV_SOCKET names the socket
-/// during its lifetime.
+/// Its thread serves one client at a time at a new socket until stop(). SPNAV_SOCKET names the socket during its lifetime.
 class FakeSpacenavd
 {
 public:

@@ -1,4 +1,4 @@
-// Counts allocations, for tests that a servo loop makes none.
+// Counts calls of operator new in all threads and shared libraries, for tests that a servo loop makes none.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_ALLOCATION_COUNT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_ALLOCATION_COUNT_H
@@ -7,7 +7,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Number of calls of operator new so far, in all threads and shared libraries.
 std::uint64_t allocation_count();
 } // namespace ode_predictive_space::haptics
 

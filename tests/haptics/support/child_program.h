@@ -31,7 +31,6 @@ struct ProgramEnd
     bool says(const std::string &part) const { return messages.find(part) != std::string::npos; }
 };
 
-/// Kills a child that hangs after a minute.
 inline void wait_for(pid_t child, ProgramEnd &end)
 {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);

@@ -1,4 +1,4 @@
-// A device that breaks on demand.
+// A device that passes all calls to another one, which must outlive it, until it breaks on demand.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_FAULTY_DEVICE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_FAULTY_DEVICE_H
@@ -21,7 +21,6 @@ enum class Breakage
     stalled           ///< read() repeats the last state, with its time
 };
 
-/// Passes all calls to a device, which must outlive it, until it breaks.
 class FaultyDevice : public Device
 {
 public:

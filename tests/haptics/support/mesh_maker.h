@@ -47,7 +47,6 @@ inline MeshShape grid_mesh(double cell, int across, int along)
     return shape;
 }
 
-/// A square grid_mesh() with this side.
 inline MeshShape sheet_mesh(double side, int cells)
 {
     return grid_mesh(side / cells, cells, cells);

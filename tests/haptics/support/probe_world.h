@@ -44,7 +44,6 @@ inline dSpaceID make_space(SpaceChoice choice, dSpaceID parent = nullptr)
     return nullptr;
 }
 
-/// Keeps ODE initialised during its lifetime.
 class OdeUse
 {
 public:
@@ -230,7 +229,6 @@ public:
             std::count_if(notices_.begin(), notices_.end(), [&](const Notice &notice) { return notice.kind == kind; }));
     }
 
-    /// The text of the first notice of this kind; empty without one.
     std::string text(NoticeKind kind) const
     {
         for (const Notice &notice : notices_)

@@ -27,7 +27,6 @@ public:
         return vector.normalized();
     }
 
-    /// Each component is at most `half`.
     Vector3 in_cube(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
 
     Quaternion rotation() { return Quaternion(Eigen::AngleAxisd(between(-M_PI, M_PI), direction())); }

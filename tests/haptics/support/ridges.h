@@ -26,7 +26,6 @@ struct RidgeShape
     }
 };
 
-/// Ridges of across x along cells, about the z axis.
 inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
 {
     MeshShape shape = grid_mesh(ridges.cell, across, along);
@@ -40,8 +39,7 @@ inline MeshShape ridge_mesh(const RidgeShape &ridges, int across, int along)
 class ProxyAboveRidges
 {
 public:
-    /// @param radius m; of the probe.
-    /// @param x m; the first place of the proxy.
+    /// @param radius m; of the probe. @param x m; the first place of the proxy.
     ProxyAboveRidges(const RidgeShape &ridges, double radius, double x) : ridges_(ridges), radius_(radius), x_(x) {}
 
     Vector3 follow(const Vector3 &tool)

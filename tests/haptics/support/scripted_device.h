@@ -98,7 +98,6 @@ public:
         return force;
     }
 
-    /// Whether there was no force between the two times, both included.
     bool was_quiet(double from, double to) const
     {
         if (!force_at(from).isZero(0))

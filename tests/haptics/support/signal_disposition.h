@@ -1,4 +1,4 @@
-// Sets the disposition of a signal, so that no test depends on an inherited one, such as that of nohup.
+// Sets the disposition of a signal and restores it at the end, so that no test depends on an inherited one, as of nohup.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SIGNAL_DISPOSITION_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_SIGNAL_DISPOSITION_H
@@ -7,7 +7,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Sets a handler, and restores the former one when it is destroyed.
 class SignalDisposition
 {
 public:

@@ -1,4 +1,4 @@
-// A file that the test removes.
+// A file in the folder for temporary files, with a unique name. It is created only with a content, and the test removes it.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_TEMPORARY_FILE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_TEMPORARY_FILE_H
@@ -12,7 +12,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A file in the folder for temporary files, whose name no other test has. It is only created with a content.
 class TemporaryFile
 {
 public:

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Can programs that were built with the recorded library run with the present one? Compares its symbols and the types of its
 # public headers with those in BASELINE.symbols and BASELINE.abi.gz. Additions are allowed; anything else fails. A changed
-# return type is noticed for functions of the space only.
-# With --renew, writes the two files.
+# return type is noticed for functions of the space only. With --renew, writes the two files.
 # Usage: compare_interface.sh ABIDW ABIDIFF LIBRARY LIBRARY_WITH_TYPES HEADERS BASELINE [--renew]
 
 set -euo pipefail

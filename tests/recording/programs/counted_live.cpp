@@ -1,9 +1,7 @@
 // A program whose space is recorded, or counted by callgrind like a replay of the recording.
-//
 //    counted_live SCENE box|shape         counts are for counted_changes and counted_collide
 //    counted_live SCENE none              the same changes without a space that is collided
 //    counted_live SCENE box|shape FILE    records it, and calls dCollide() for its pairs
-//
 // It prints the number of pairs and of contacts.
 
 #include <cmath>
