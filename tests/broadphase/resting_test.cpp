@@ -55,7 +55,7 @@ TEST_F(Resting, PairsThatDoNotMoveAreNotTested)
 }
 
 // Many searches between two ticks drop stale pairs of the near set in between.
-TEST_F(Resting, NoPairIsReportedTwiceAfterManyQuestions)
+TEST_F(Resting, NoPairIsReportedTwiceAfterManyQueries)
 {
     constexpr int crowd = 60;
     const Vector3 place(0, 50, 0);

@@ -21,7 +21,7 @@ TEST(Tick, CatchingUpAfterAStepIsTheTickOfThatStep)
     }
     EXPECT_EQ(asked.world.broadphase.now(), untouched.world.broadphase.now());
     EXPECT_LE(asked.predictions(), untouched.predictions() + untouched.predictions() / 10)
-        << "a question must not break predictions";
+        << "a query must not break predictions";
 }
 
 TEST(Tick, ASingleMoveBetweenTicksIsNoTick)
@@ -61,9 +61,9 @@ TEST(Tick, PredictsWhatIsOnlyAskedAbout)
 {
     CalmGas gas(500);
     std::uint64_t before = 0;
-    for (int question = 0; question < 400; ++question)
+    for (int query = 0; query < 400; ++query)
     {
-        if (question == 200)
+        if (query == 200)
             before = gas.predictions();
         gas.move();
         gas.world.broadphase.catch_up(gas.world);

@@ -268,9 +268,9 @@ dGeomID create_boxed(const std::array<dReal, 6> &box)
         description.bytes = sizeof box;
         description.collider = [](int) -> dColliderFn * { return nullptr; };
         description.aabb = [](dGeomID geom, dReal *bounds) {
-            const auto *told = static_cast<const dReal *>(dGeomGetClassData(geom));
+            const auto *given = static_cast<const dReal *>(dGeomGetClassData(geom));
             for (int side = 0; side < 6; ++side)
-                bounds[side] = told[side] + dGeomGetPosition(geom)[side / 2];
+                bounds[side] = given[side] + dGeomGetPosition(geom)[side / 2];
         };
         return dCreateGeomClass(&description);
     }();

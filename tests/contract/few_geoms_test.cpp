@@ -112,7 +112,7 @@ TEST_F(FewGeoms, AreNotPredictedByShapeUntilAContactIsDearToFind)
     dGeomSetPosition(probe, dGeomGetPosition(geoms[3])[0], 0, 0);
     EXPECT_EQ(collide2(as_geom(space), probe).size(), 1u);
     dGeomDestroy(probe);
-    EXPECT_FALSE(predicts()) << "by a question";
+    EXPECT_FALSE(predicts()) << "by a query";
     dGeomDestroy(geoms.back());
     geoms.pop_back();
     const float heights[4] = {0, 0, 0, 0};
@@ -152,7 +152,7 @@ TEST_F(FewGeoms, ArePredictedByTheirRolesAndKeepTheSettingsMadeBefore)
     EXPECT_EQ(most, 7);
 }
 
-TEST_F(FewGeoms, AreFoundByQuestionsWithoutBeingPredicted)
+TEST_F(FewGeoms, AreFoundByQueriesWithoutBeingPredicted)
 {
     fill();
     const dGeomID probe = number_geom(dCreateSphere(nullptr, 0.1), -2);

@@ -397,7 +397,7 @@ TEST_F(Contract, 15_SublevelsSayWhichSpaceIsTakenAsAGeom)
     }
 }
 
-TEST_F(Contract, 15_QuestionsAreAnsweredAfterMostGeomsAreGone)
+TEST_F(Contract, 15_QueriesAreAnsweredAfterMostGeomsAreGone)
 {
     expect_as_simple([](Scenario &scene) {
         std::vector<dGeomID> geoms;

@@ -54,7 +54,7 @@ enum class Act
 };
 constexpr std::array act_names{"collide", "collide2", "clean",  "bounds", "validate",
                                "move",    "take out", "put in", "destroy"};
-constexpr std::array questions{Act::collide, Act::collide2, Act::clean, Act::bounds};
+constexpr std::array queries{Act::collide, Act::collide2, Act::clean, Act::bounds};
 
 struct Step
 {
@@ -320,11 +320,11 @@ void expect_in_all_nests(const std::vector<Steps> &histories)
 
 using Contract = OdeTest;
 
-TEST_F(Contract, 11_InEachNestAnyTwoQuestionsSeeTheMovesBetweenThem)
+TEST_F(Contract, 11_InEachNestAnyTwoQueriesSeeTheMovesBetweenThem)
 {
     std::vector<Steps> histories;
-    for (Act before : questions)
-        for (Act after : questions)
+    for (Act before : queries)
+        for (Act after : queries)
             for (std::size_t mover = 0; mover < depth; ++mover)
                 for (std::size_t later = 0; later < depth; ++later)
                     histories.push_back(
@@ -376,7 +376,7 @@ TEST_F(Contract, 11_InEachNestSpacesMoveBetweenParents)
 {
     std::vector<Steps> histories;
     for (Act before : {Act::collide, Act::clean})
-        for (Act after : questions)
+        for (Act after : queries)
             for (bool dirty : {true, false})
                 for (std::size_t level = 1; level < depth; ++level)
                 {
@@ -408,8 +408,8 @@ TEST_F(Contract, 11_ACleanSpaceIsPutInBesideDirtyGeoms)
 TEST_F(Contract, 11_InEachNestSpacesAreDestroyed)
 {
     std::vector<Steps> histories;
-    for (Act before : questions)
-        for (Act after : questions)
+    for (Act before : queries)
+        for (Act after : queries)
             for (std::size_t level = 1; level < depth; ++level)
                 histories.push_back({{before, 0},
                                      {Act::move, innermost},

@@ -246,15 +246,15 @@ TEST_F(Contract, 09_AStillSpaceThatIsOnlyAskedGetsAnIndex)
     for (int i = 0; i < static_cast<int>(count); ++i)
         scene.sphere(0.5, i % 10, i / 10 % 10, i / 100);
     dGeomID probe = dCreateSphere(nullptr, 0.6);
-    auto ask = [&](int questions) {
-        for (int i = 0; i < questions; ++i)
+    auto ask = [&](int queries) {
+        for (int i = 0; i < queries; ++i)
         {
             dGeomSetPosition(probe, i % 10, i / 10 % 10, i % 7);
             ASSERT_GE(collide2(probe, as_geom(scene.space())).size(), 4u);
         }
     };
     ask(1);
-    EXPECT_EQ(statistics_of(scene).repredictions, count) << "the first question gives each geom its envelope";
+    EXPECT_EQ(statistics_of(scene).repredictions, count) << "the first query gives each geom its envelope";
     ask(199);
     EXPECT_EQ(statistics_of(scene).repredictions, count);
     EXPECT_EQ(statistics_of(scene).scans, 0u) << "no pairs were asked for";

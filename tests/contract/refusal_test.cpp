@@ -76,7 +76,7 @@ private:
     }
 };
 
-TEST_F(Contract, 16_QuestionsOfACallbackForBoundingBoxesAreRefused)
+TEST_F(Contract, 16_QueriesOfACallbackForBoundingBoxesAreRefused)
 {
     dSpaceID space = dPredictiveSpaceCreate(nullptr);
     dGeomID geoms[3];

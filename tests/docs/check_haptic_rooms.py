@@ -45,11 +45,11 @@ def mistakes(top):
     yield from (f"{name} belongs to no room: no source begins with it" for name in homeless)
     section = (top / "docs/haptics/method.md").read_text().split(HEADING)[1].split("\n## ")[0]
     rows = ROW.findall(section)
-    told = {(room, used) for room, uses in rows for used in re.findall(r"`([a-z]+/|\*)`", uses)}
+    listed = {(room, used) for room, uses in rows for used in re.findall(r"`([a-z]+/|\*)`", uses)}
     order = [room for room, _ in rows]
-    yield from (f"{room} is told of after {here}, which includes it" for here, room in told if order.index(room) > order.index(here))
-    yield from (f"{arrow}: {arrows[arrow][0]}" for arrow in sorted(arrows.keys() - told))
-    yield from (f"{arrow} is told of and is none" for arrow in sorted(told - arrows.keys()))
+    yield from (f"{room} is listed after {here}, which includes it" for here, room in listed if order.index(room) > order.index(here))
+    yield from (f"{arrow}: {arrows[arrow][0]}" for arrow in sorted(arrows.keys() - listed))
+    yield from (f"{arrow} is listed and is none" for arrow in sorted(listed - arrows.keys()))
 
 
 if __name__ == "__main__":

@@ -155,7 +155,7 @@ const Situation situations[] = {
      }},
     {"few_that_begin_to_be_predicted", 12, [](Gas &gas) { gas.run(5); },
      [](Gas &gas) { dPredictiveSpaceGetEncounters(gas.space(), gas.geom(0), nullptr, 0); }},
-    {"adding_between_questions", 100, [](Gas &gas) { gas.expect_exact_answer(); }, [](Gas &gas) { gas.add(); }},
+    {"adding_between_queries", 100, [](Gas &gas) { gas.expect_exact_answer(); }, [](Gas &gas) { gas.add(); }},
     {"resting", 60,
      [](Gas &gas) {
          for (int i = 0; i < 80; ++i)

@@ -184,7 +184,7 @@ TEST_P(EveryProximity, TheNextTickIsExactWhicheverNearCallbackOfATickThrows)
     throw_at_each_callback([](Gas &gas, NearFault &fault) { dSpaceCollide(gas.space(), &fault, NearFault::visit); });
 }
 
-TEST_P(EveryProximity, TheNextTickIsExactWhicheverCallbackOfAQuestionThrows)
+TEST_P(EveryProximity, TheNextTickIsExactWhicheverCallbackOfAQueryThrows)
 {
     throw_at_each_callback([](Gas &gas, NearFault &fault) {
         for (std::size_t i = 0; i < 20; ++i)

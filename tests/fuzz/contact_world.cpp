@@ -411,7 +411,7 @@ std::string ContactWorld::broken_forecast(const Slots &pair)
     ++tally_.forecasts;
     const auto passed = static_cast<dReal>(tally_.ticks - forecast_.made);
     const bool too_early = forecast_.within ? passed <= forecast_.ticks : passed < forecast_.ticks;
-    return too_early ? describe(pair, "touch before the time that was foretold") : "";
+    return too_early ? describe(pair, "touch before the predicted time") : "";
 }
 
 std::string ContactWorld::describe(const Slots &pair, const char *what) const

@@ -256,8 +256,8 @@ protected:
         const OverlapTest boxes{scene, proxies.places.data(), false, Origin().doubt(), Float4::all(0)};
         GapCache cache(Payer::none);
         GapBudget budget;
-        std::uint64_t looks = 0;
-        return ShapeTest({scene, proxies, shapes}, boxes, 0, looks).check_gap({0, 1}, cache, budget);
+        std::uint64_t gap_checks = 0;
+        return ShapeTest({scene, proxies, shapes}, boxes, 0, gap_checks).check_gap({0, 1}, cache, budget);
     }
 
     double thinnest_ = 0.03; // shortest side, relative to the size

@@ -31,7 +31,7 @@ struct Totals
 {
     long overlapping = 0, contacts = 0, calls = 0, ticks = 0;
     long asked = 0, contacts_of_asked = 0, calls_of_asked = 0; // pairs in queries whose boxes overlap
-    unsigned long looks = 0, postponed = 0;
+    unsigned long gap_checks = 0, postponed = 0;
     std::map<std::pair<int, int>, long> contacts_of_classes;
 };
 
@@ -85,7 +85,7 @@ void run(const ShapeHistory::Setting &setting, int ticks, Totals &totals)
         totals.calls += found.calls;
         ++totals.ticks;
     }
-    totals.looks += counters_of(history.space()).gap_checks;
+    totals.gap_checks += counters_of(history.space()).gap_checks;
 }
 
 unsigned first_seed()
@@ -127,7 +127,7 @@ TEST_F(ShapeContacts, AreThoseOfASimpleSpaceInAnyHistory)
         run(history_of(first, i), ticks_of(i), totals);
     std::cout << "seeds from " << first << ": " << totals.ticks << " ticks, " << totals.overlapping
               << " pairs whose boxes overlap, " << totals.contacts << " contacts, " << totals.calls << " calls, "
-              << totals.looks << " looks, " << totals.postponed << " postponed\n";
+              << totals.gap_checks << " gap checks, " << totals.postponed << " postponed\n";
     EXPECT_GT(totals.contacts, totals.ticks);
     EXPECT_GT(totals.postponed, 0u);
     constexpr std::array classes{dSphereClass, dBoxClass,    dCapsuleClass, dCylinderClass,
@@ -191,13 +191,13 @@ Totals in_sparse_scene(int proximity)
 TEST_F(ShapeContacts, TakeFewCallsWhereObjectsTurnAndSeldomTouch)
 {
     const Totals boxes = in_sparse_scene(dPredictiveProximityBox), shapes = in_sparse_scene(dPredictiveProximityShape);
-    std::cout << "calls " << boxes.calls << " by boxes, " << shapes.calls << " by shapes, " << shapes.looks
-              << " looks, contacts " << shapes.contacts << "\n";
+    std::cout << "calls " << boxes.calls << " by boxes, " << shapes.calls << " by shapes, " << shapes.gap_checks
+              << " gap checks, contacts " << shapes.contacts << "\n";
     EXPECT_EQ(boxes.contacts, shapes.contacts);
     EXPECT_GT(boxes.calls, 2 * boxes.contacts) << "there is something to be gained";
     EXPECT_LT(shapes.calls - shapes.contacts, (boxes.calls - boxes.contacts) / 4);
-    EXPECT_LT(shapes.looks, static_cast<unsigned long>(boxes.calls)) << "most pairs need no look at a tick";
-    EXPECT_EQ(boxes.looks, 0u);
+    EXPECT_LT(shapes.gap_checks, static_cast<unsigned long>(boxes.calls)) << "most pairs need no gap check at a tick";
+    EXPECT_EQ(boxes.gap_checks, 0u);
 }
 } // namespace
 } // namespace ode_predictive_space

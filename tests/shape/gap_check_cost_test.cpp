@@ -37,7 +37,7 @@ protected:
         dGeomSetRotation(mesh, rotation);
     }
 
-    unsigned long looks() const
+    unsigned long gap_checks() const
     {
         dPredictiveSpaceCounters counters;
         dPredictiveSpaceGetCounters(space, &counters, sizeof counters);
@@ -62,7 +62,7 @@ TEST_F(GapCheckCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
         dGeomSetPosition(ball, beside_edge, beside_edge, tick % 2 ? REAL(1e-4) : REAL(-1e-4));
         EXPECT_EQ(collide(space).size(), 0u);
     }
-    EXPECT_EQ(looks(), 0u);
+    EXPECT_EQ(gap_checks(), 0u);
     dGeomSetCategoryBits(ball, 2);
     std::size_t reported = 0;
     for (int tick = 0; tick < 100; ++tick)
@@ -70,7 +70,7 @@ TEST_F(GapCheckCost, PairsOfWhichTheProgramIsNotToldAreNotLookedAt)
         dGeomSetPosition(ball, beside_edge, beside_edge, tick % 2 ? REAL(1e-4) : REAL(-1e-4));
         reported += collide(space).size();
     }
-    EXPECT_GT(looks(), 0u) << "bits change without notice";
+    EXPECT_GT(gap_checks(), 0u) << "bits change without notice";
     EXPECT_LT(reported, 50u) << "the shapes are apart";
 }
 
@@ -83,13 +83,13 @@ TEST_F(GapCheckCost, TwoMeshesThatHaveNotMovedAreNotLookedAt)
     dGeomSetPosition(beside, REAL(1.5), REAL(1.5), 0);
     for (int tick = 0; tick < 100; ++tick)
         EXPECT_EQ(collide(space).size(), 1u);
-    EXPECT_EQ(looks(), 0u);
+    EXPECT_EQ(gap_checks(), 0u);
     for (dReal place : {REAL(5.0), REAL(1.5)})
     {
         dGeomSetPosition(beside, place, place, 0);
         EXPECT_EQ(collide(space).size(), 0u);
     }
-    EXPECT_GT(looks(), 0u);
+    EXPECT_GT(gap_checks(), 0u);
 }
 
 TEST_F(GapCheckCost, AMeshOnABodyIsLookedAtBesideAnotherMesh)
@@ -117,8 +117,8 @@ TEST_F(GapCheckCost, BesideAMeshThatTurnsLooksAreGivenUp)
         turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
         collide(space);
     }
-    EXPECT_GT(looks(), 0u);
-    EXPECT_LT(looks(), ticks / 10u);
+    EXPECT_GT(gap_checks(), 0u);
+    EXPECT_LT(gap_checks(), ticks / 10u);
     turn(mesh, 0);
     for (int tick = 0; tick < 100; ++tick)
         ASSERT_EQ(collide(space).size(), 1u) << "they touch, and come to rest so";
@@ -137,7 +137,7 @@ TEST_F(GapCheckCost, DataThatChangeAtEachTickAreSeldomRead)
         dPredictiveSpaceGeomChanged(space, mesh);
         reported += collide(space).size();
     }
-    EXPECT_LT(looks(), ticks / 10u);
+    EXPECT_LT(gap_checks(), ticks / 10u);
     EXPECT_GT(reported, ticks / 2u) << "the pair is reported by its boxes";
 }
 } // namespace

@@ -44,14 +44,14 @@ public:
             cache_ = GapCache(Payer::none);
         shapes_.clear_renewed();
         const OverlapTest boxes{*this, proxies_.places.data(), false, Origin().doubt(), Float4::all(0)};
-        ShapeTest test({*this, proxies_, shapes_}, boxes, margin, looks_);
+        ShapeTest test({*this, proxies_, shapes_}, boxes, margin, gap_checks_);
         if (test.postpones(the_pair, cache_))
             return false;
         return cache_.pause > 0 ? cache_.pause-- > 0 : test.check_gap(the_pair, cache_, budget_);
     }
 
     bool postponed() const { return shapes_.travel(the_pair) < cache_.due; }
-    std::uint64_t looks() const { return looks_; }
+    std::uint64_t gap_checks() const { return gap_checks_; }
 
     void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) override
     {
@@ -78,7 +78,7 @@ private:
     MeasuredShapes shapes_;
     GapCache cache_{Payer::none};
     GapBudget budget_;
-    std::uint64_t looks_ = 0;
+    std::uint64_t gap_checks_ = 0;
 };
 
 TEST(Travel, MovesNoPointFartherThanItSays)
@@ -120,7 +120,7 @@ TEST(Travel, OfACapsuleBesideMeshesIsThatOfTheCylinderAroundIt)
 TEST(Travel, ShapesOfPostponedPairsAreApart)
 {
     long postponed = 0, touching = 0, steps = 0;
-    std::uint64_t looks = 0;
+    std::uint64_t gap_checks = 0;
     for (unsigned seed = 0; seed < seeds; ++seed)
     {
         ShapeMaker maker(seed);
@@ -152,11 +152,11 @@ TEST(Travel, ShapesOfPostponedPairsAreApart)
             postponed += pair.postponed();
             touching += distance < 1e-6;
         }
-        looks += pair.looks();
+        gap_checks += pair.gap_checks();
     }
     EXPECT_GT(postponed, steps / 3);
     EXPECT_GT(touching, steps / 100);
-    EXPECT_LT(looks, static_cast<std::uint64_t>(steps) / 3) << "most ticks need no look";
+    EXPECT_LT(gap_checks, static_cast<std::uint64_t>(steps) / 3) << "most ticks need no gap check";
 }
 } // namespace
 } // namespace ode_predictive_space

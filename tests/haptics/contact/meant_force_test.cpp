@@ -66,7 +66,7 @@ TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
     HapticProbe probe(device, world_.space, size, rendering);
     probe.sensor()->prepare_all();
     double error = 0, inside = 0, jump = 0;
-    int felt = 0;
+    int pressed = 0;
     Vector3 force = Vector3::Zero(), tool = Vector3::Zero();
     probe.set_recorder([&](const RenderedTick &tick) {
         const Vector3 &proxy = probe.sensor()->tracker()->proxy();
@@ -74,7 +74,7 @@ TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
         inside = std::max(inside, size - tree_.distance(proxy, size));
         if (tick.time > 0)
             jump = std::max(jump, (tick.requested - force).norm() - k * (tick.tool.position - tool).norm());
-        felt += tick.requested.norm() > 0.5 ? 1 : 0;
+        pressed += tick.requested.norm() > 0.5 ? 1 : 0;
         force = tick.requested;
         tool = tick.tool.position;
     });
@@ -82,7 +82,7 @@ TEST_P(MeantForceTest, IsTheProxysSpringInEachTickAndDoesNotJump)
     EXPECT_LE(error, 0.01);
     EXPECT_LE(inside, size / 1000);
     EXPECT_LE(jump, 0.1);
-    EXPECT_GT(felt, ticks / 4);
+    EXPECT_GT(pressed, ticks / 4);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -91,7 +91,7 @@ TEST_P(UnpreparedMeshTest, IsFeltByOdeUntilItHasBeenReadAndHeldFromThenOn)
     NoticeList notices;
     dGeomID geom = nullptr;
     int reading = 0;
-    double felt = 0; // m; the deepest touch during the reading
+    double deepest = 0; // m; the deepest touch during the reading
     prepare_ = [&](HapticProbe &probe) { probe.renderer().set_notice_sink(notices.sink()); };
     const Vector3 above(0.001, 0.002, 0.04), in(0.001, 0.002, 0.005), below(0.001, 0.002, -0.02);
     const auto samples =
@@ -101,11 +101,11 @@ TEST_P(UnpreparedMeshTest, IsFeltByOdeUntilItHasBeenReadAndHeldFromThenOn)
                     geom = mesh.add_to(world_.space); // after all present meshes were prepared
                 reading += probe_->sensor()->is_reading() ? 1 : 0;
                 for (const Touch &touch : probe_->touches())
-                    felt = probe_->sensor()->is_reading() ? std::max(felt, touch.depth) : felt;
+                    deepest = probe_->sensor()->is_reading() ? std::max(deepest, touch.depth) : deepest;
             });
     EXPECT_GT(reading, 20);
     EXPECT_LT(reading, 400);
-    EXPECT_NEAR(felt, 0.005, 1e-6);
+    EXPECT_NEAR(deepest, 0.005, 1e-6);
     EXPECT_EQ(notices.count(NoticeKind::contact), 1) << notices.text(NoticeKind::contact);
     EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 0.03)).norm(), 1e-6)
         << samples.back().requested.transpose();

@@ -51,7 +51,7 @@ private:
 struct ScrubbingResult
 {
     std::size_t most_triangles = 0; ///< visited in a tick
-    int felt = 0;                   ///< ticks with a force above 0.5 N
+    int pressed = 0;                ///< ticks with a force above 0.5 N
     std::vector<double> seconds;    ///< of processor time: begin(), collide and render() of each tick, sorted
 };
 
@@ -82,7 +82,7 @@ inline ScrubbingResult scrub(dSpaceID space, double size, int ticks)
         probe.render(0.001);
         result.seconds.push_back(processor_time() - begin);
         result.most_triangles = std::max(result.most_triangles, probe.sensor()->tracker()->visited());
-        result.felt += probe.last_tick().requested.norm() > 0.5 ? 1 : 0;
+        result.pressed += probe.last_tick().requested.norm() > 0.5 ? 1 : 0;
     }
     std::sort(result.seconds.begin(), result.seconds.end());
     return result;

@@ -27,7 +27,7 @@ struct Things
     }
 
     /// Number of gap tests of the space.
-    unsigned long looks() const
+    unsigned long gap_checks() const
     {
         dPredictiveSpaceCounters counters = {};
         if (dSpaceIsPredictive(space()) != 0)
@@ -169,7 +169,7 @@ const Scene scenes[] = {
      [](double t) { return Vector3(0.06 * std::sin(2 * t), 0.012 * std::sin(9 * t), 0.035 - 0.015 * t); }, 1.5},
 };
 
-struct Felt
+struct Rendered
 {
     Vector3 requested;                                       ///< N; the law's force
     Vector3 given;                                           ///< N; sent to the device
@@ -179,11 +179,11 @@ struct Felt
 
 struct Outcome
 {
-    std::vector<Felt> ticks;
-    std::uint64_t calls = 0;    ///< of the near callback, for the probe
-    std::uint64_t met = 0;      ///< calls whose shapes touched
-    std::uint64_t touching = 0; ///< ticks with a force
-    unsigned long looks = 0;    ///< gap tests of the space
+    std::vector<Rendered> ticks;
+    std::uint64_t calls = 0;      ///< of the near callback, for the probe
+    std::uint64_t met = 0;        ///< calls whose shapes touched
+    std::uint64_t touching = 0;   ///< ticks with a force
+    unsigned long gap_checks = 0; ///< gap tests of the space
 };
 
 class ShapeMeasureTest : public testing::TestWithParam<std::tuple<bool, bool>>
@@ -210,18 +210,18 @@ protected:
         Outcome outcome;
         probe->set_recorder([&](const RenderedTick &tick) { note(tick, *probe, proxy->proxy(), outcome); });
         run(things, *probe, scene.duration, outcome);
-        outcome.looks = things.looks();
+        outcome.gap_checks = things.gap_checks();
         return outcome;
     }
 
     void note(const RenderedTick &tick, HapticProbe &probe, const Vector3 &proxy, Outcome &outcome) const
     {
-        Felt felt{tick.requested, tick.wrench.force, proxy, {}};
+        Rendered rendered{tick.requested, tick.wrench.force, proxy, {}};
         if (!decoupled())
             for (const Touch &touch : probe.touches())
-                felt.touches.emplace_back(touch.depth, touch.normal.x(), touch.normal.z());
-        outcome.touching += felt.requested.isZero(0) ? 0 : 1;
-        outcome.ticks.push_back(std::move(felt));
+                rendered.touches.emplace_back(touch.depth, touch.normal.x(), touch.normal.z());
+        outcome.touching += rendered.requested.isZero(0) ? 0 : 1;
+        outcome.ticks.push_back(std::move(rendered));
     }
 
     void run(Things &things, HapticProbe &probe, double duration, Outcome &outcome) const
@@ -258,7 +258,7 @@ protected:
         }
     }
 
-    static void expect_equal(const std::vector<Felt> &ticks, const std::vector<Felt> &others)
+    static void expect_equal(const std::vector<Rendered> &ticks, const std::vector<Rendered> &others)
     {
         ASSERT_EQ(ticks.size(), others.size());
         for (std::size_t i = 0; i < ticks.size(); ++i)
@@ -306,7 +306,7 @@ TEST_P(ShapeMeasureTest, InACrowdItIsCalledForWhatTouchesItAlone)
         if (!own_geom)
         {
             EXPECT_LE(by_shapes.calls, 1.01 * by_shapes.met) << "hardly a call in vain";
-            EXPECT_LE(by_shapes.looks, 0.3 * by_boxes.calls) << "although its size changes in nearly all ticks";
+            EXPECT_LE(by_shapes.gap_checks, 0.3 * by_boxes.calls) << "although its size changes in nearly all ticks";
         }
     }
 }

@@ -39,15 +39,15 @@ TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
     HapticProbe probe(device, world_.space, GetParam(), rendering);
     probe.sensor()->prepare_all();
     std::size_t most = 0;
-    int felt = 0;
+    int pressed = 0;
     probe.set_recorder([&](const RenderedTick &tick) {
         most = std::max(most, probe.sensor()->tracker()->visited());
-        felt += tick.requested.norm() > 0.5 ? 1 : 0;
+        pressed += tick.requested.norm() > 0.5 ? 1 : 0;
     });
     constexpr int ticks = of_cases(16000);
     world_.run(probe, ticks);
     EXPECT_LE(most, SphereSlide::most_triangles);
-    EXPECT_GT(felt, ticks / 4);
+    EXPECT_GT(pressed, ticks / 4);
 }
 
 /// The meshes are as dense as scans. Sanitizers do not reduce the ticks, so that the hand has time to arrive.
@@ -62,7 +62,7 @@ TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
         {
             const ScrubbingResult result = scrub(world_.space, size, ticks);
             EXPECT_LE(result.most_triangles, SphereSlide::most_triangles) << rings << " rings, " << size << " m";
-            EXPECT_GT(result.felt, ticks / 8) << rings << " rings, " << size << " m";
+            EXPECT_GT(result.pressed, ticks / 8) << rings << " rings, " << size << " m";
         }
         dGeomDestroy(dSpaceGetGeom(world_.space, 0));
     }

@@ -110,16 +110,16 @@ TEST(MeshTree, ACornerOfManyTrianglesIsFeltByTheSameOneFromEverywhere)
     for (int i = 0; i < sides; ++i)
         cone.push_back({Vector3::Zero(), rim(i), rim(i + 1)});
     const MeshTree tree(cone);
-    std::set<int> felt;
+    std::set<int> triangles;
     RandomNumbers random(6);
     for (int i = 0; i < 200; ++i)
     {
         SurfaceFeatures features;
         tree.collect({random.between(-0.05, 0.05), random.between(-0.05, 0.05), 0.1}, 0.2, features);
         ASSERT_EQ(features.size(), 1U);
-        felt.insert(features[0].triangle);
+        triangles.insert(features[0].triangle);
     }
-    EXPECT_EQ(felt.size(), 1U);
+    EXPECT_EQ(triangles.size(), 1U);
 }
 
 bool crosses(const Vector3 &from, const Vector3 &to, const TriangleCorners &corners)

@@ -45,7 +45,7 @@ TEST_F(TouchSensorTest, TheMarginShowsWhatIsNearWithoutChangingDepths)
     EXPECT_TRUE(look(sensor, {0, 0, 0.0151}).empty());
 }
 
-// It was felt a margin early.
+// The touch began a margin early.
 TEST_F(TouchSensorTest, AGeomOfTheProgramTouchesTheSphereOfAnotherProbeWithoutItsMargin)
 {
     TouchSensor sphere(world_.space, radius);

@@ -102,9 +102,9 @@ TEST(WorkspaceMapping, TellsHowStiffASpringFeels)
     device.position += step;
     Wrench spring;
     spring.force = 500 * (anchor - mapping.to_scene(device).position);
-    const double felt = mapping.to_device(spring).force.norm() / step.norm();
-    EXPECT_NEAR(mapping.stiffness_at_device(500), felt, 1e-6 * felt);
-    EXPECT_NEAR(mapping.stiffness_in_scene(felt), 500, 1e-3);
+    const double at_device = mapping.to_device(spring).force.norm() / step.norm();
+    EXPECT_NEAR(mapping.stiffness_at_device(500), at_device, 1e-6 * at_device);
+    EXPECT_NEAR(mapping.stiffness_in_scene(at_device), 500, 1e-3);
 }
 
 TEST(WorkspaceMapping, WhileTheClutchIsHeldTheToolStaysAndTheHandIsFree)

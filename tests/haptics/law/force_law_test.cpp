@@ -6,7 +6,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
-#include "tests/haptics/law/felt_law.h"
+#include "tests/haptics/law/rendered_law.h"
 #include "tests/haptics/support/allocation_count.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
@@ -21,8 +21,8 @@ protected:
     std::unique_ptr<ForceLaw> make(const Material &properties)
     {
         if (GetParam() == std::string("penalty"))
-            return std::make_unique<Felt<PenaltyLaw>>(properties);
-        return std::make_unique<Felt<ProxyLaw>>(properties);
+            return std::make_unique<Rendered<PenaltyLaw>>(properties);
+        return std::make_unique<Rendered<ProxyLaw>>(properties);
     }
 
     void expect_spring(double stiffness, const ToolState &tool, const Touch &touch)

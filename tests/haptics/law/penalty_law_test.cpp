@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/haptics/law/felt_law.h"
+#include "tests/haptics/law/rendered_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
 
@@ -15,7 +15,7 @@ TEST(PenaltyLaw, TakesEachTouchAsIfItWereAlone)
     RandomNumbers random(1);
     for (int i = 0; i < 500; ++i)
     {
-        Felt<PenaltyLaw> law({800, 0, 0});
+        Rendered<PenaltyLaw> law({800, 0, 0});
         const std::vector<Touch> touches = random.touches(5);
         TouchForces forces;
         law.forces(random.tool(), touches, dt, forces);
@@ -26,7 +26,7 @@ TEST(PenaltyLaw, TakesEachTouchAsIfItWereAlone)
 
 TEST(PenaltyLaw, TheHoldOnAnObjectGoesWithTheObjectNotWithItsPlaceInTheList)
 {
-    Felt<PenaltyLaw> law({500, 0, 0.5});
+    Rendered<PenaltyLaw> law({500, 0, 0.5});
     Touch floor, wall;
     floor.object = 1;
     floor.depth = 0.004;
@@ -44,7 +44,7 @@ TEST(PenaltyLaw, TheHoldOnAnObjectGoesWithTheObjectNotWithItsPlaceInTheList)
 
 TEST(PenaltyLaw, ANewTouchTakesHoldWhereItIs)
 {
-    Felt<PenaltyLaw> law({500, 0, 0.5});
+    Rendered<PenaltyLaw> law({500, 0, 0.5});
     Touch floor;
     floor.depth = 0.004;
     ToolState tool;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ode_predictive_space/haptics/penalty_law.h"
-#include "tests/haptics/law/felt_law.h"
+#include "tests/haptics/law/rendered_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
 
@@ -43,8 +43,8 @@ TEST(ProxyLaw, OnOnePlaneWithoutFrictionIsThePenaltyLaw)
     for (int i = 0; i < 2000; ++i)
     {
         const double stiffness = random.between(0, 3000);
-        Felt<ProxyLaw> proxy({stiffness, 3, 0});
-        Felt<PenaltyLaw> penalty({stiffness, 3, 0});
+        Rendered<ProxyLaw> proxy({stiffness, 3, 0});
+        Rendered<PenaltyLaw> penalty({stiffness, 3, 0});
         const ToolState tool = random.tool();
         const std::vector<Touch> touches = random.touches(1);
         TouchForces ours, theirs;
@@ -61,7 +61,7 @@ TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
     int carriers_seen[5] = {};
     for (int i = 0; i < 5000; ++i)
     {
-        Felt<ProxyLaw> law({1000, 0, 0});
+        Rendered<ProxyLaw> law({1000, 0, 0});
         const ToolState tool = random.tool();
         const std::vector<Touch> touches = roomy_touches(random, 1 + random.below(8));
         TouchForces forces;
@@ -96,7 +96,7 @@ TEST(ProxyLaw, TheOrderOfTouchesDoesNotMatter)
     RandomNumbers random(3);
     for (int i = 0; i < 1000; ++i)
     {
-        Felt<ProxyLaw> law({1000, 0, 0}), other({1000, 0, 0});
+        Rendered<ProxyLaw> law({1000, 0, 0}), other({1000, 0, 0});
         std::vector<Touch> touches = roomy_touches(random, 5);
         TouchForces forces, reversed;
         law.forces({}, touches, dt, forces);
@@ -112,7 +112,7 @@ TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)
     TouchForces forces;
     for (const double tilt : {0.0, 1e-9, 0.001}) // a wedge of so small an angle has its edge far away
     {
-        Felt<ProxyLaw> law({1000, 0, 0});
+        Rendered<ProxyLaw> law({1000, 0, 0});
         const Vector3 left = Vector3::UnitX();
         const Vector3 right = Vector3(-1, tilt, 0).normalized();
         law.forces({}, {touch_of(1, left, 0.003), touch_of(2, right, 0.001)}, dt, forces);
@@ -124,7 +124,7 @@ TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)
 TEST(ProxyLaw, ForcesAddUpToTheProxysSpringWithFriction)
 {
     RandomNumbers random(4);
-    Felt<ProxyLaw> law({800, 0, 0.7});
+    Rendered<ProxyLaw> law({800, 0, 0.7});
     TouchForces forces;
     for (int run = 0; run < 300; ++run)
     {
@@ -143,7 +143,7 @@ TEST(ProxyLaw, ForcesAddUpToTheProxysSpringWithFriction)
 TEST(ProxyLaw, FrictionNeverDragsTheProxyIntoAnotherSurface)
 {
     RandomNumbers random(5);
-    Felt<ProxyLaw> law({800, 0, 1.5});
+    Rendered<ProxyLaw> law({800, 0, 1.5});
     TouchForces forces;
     for (int run = 0; run < 500; ++run)
     {
@@ -164,7 +164,7 @@ TEST(ProxyLaw, InAGrooveFrictionActsAlongItOnly)
 {
     const Vector3 left = Vector3(1, 0, 1).normalized(), right = Vector3(-1, 0, 1).normalized();
     const std::vector<Touch> groove = {touch_of(1, left, 0.002), touch_of(2, right, 0.002)};
-    Felt<ProxyLaw> law({1000, 0, 0.1});
+    Rendered<ProxyLaw> law({1000, 0, 0.1});
     ToolState tool;
     TouchForces forces;
     law.forces(tool, groove, dt, forces);
@@ -185,7 +185,7 @@ Touch touch_of_plate(double height, double top)
 
 TEST(ProxyLaw, IsNotPushedOutAtTheBackOfAThinObject)
 {
-    Felt<ProxyLaw> law({1000, 0, 0.3});
+    Rendered<ProxyLaw> law({1000, 0, 0.3});
     ToolState tool;
     TouchForces forces;
     for (int tick = 1; tick < 40; ++tick)
@@ -205,7 +205,7 @@ TEST(ProxyLaw, IsNotPushedOutAtTheBackOfAThinObject)
 
 TEST(ProxyLaw, TheFrontOfAThinObjectMovesWithIt)
 {
-    Felt<ProxyLaw> law({1000, 0, 0});
+    Rendered<ProxyLaw> law({1000, 0, 0});
     TouchForces forces;
     const double speed = 0.1;
     for (int tick = 1; tick < 40; ++tick) // the plate rises over the tool, which rests
@@ -220,7 +220,7 @@ TEST(ProxyLaw, TheFrontOfAThinObjectMovesWithIt)
 
 TEST(ProxyLaw, AfterLeavingAnObjectBelievesEitherSideOfIt)
 {
-    Felt<ProxyLaw> law({1000, 0, 0});
+    Rendered<ProxyLaw> law({1000, 0, 0});
     TouchForces forces;
     const Touch front = touch_of(7, Vector3::UnitZ(), 0.001), back = touch_of(7, -Vector3::UnitZ(), 0.001);
     law.forces({}, {front}, dt, forces);
@@ -234,7 +234,7 @@ TEST(ProxyLaw, AfterLeavingAnObjectBelievesEitherSideOfIt)
 
 TEST(ProxyLaw, TakesHoldWhereTheToolCameIn)
 {
-    Felt<ProxyLaw> law({1000, 0, 0.5});
+    Rendered<ProxyLaw> law({1000, 0, 0.5});
     ToolState tool;
     TouchForces forces;
     law.forces(tool, {}, dt, forces);

@@ -103,30 +103,30 @@ TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
         HapticProbe probe(device_, world.space, radius, without_ramp());
         HapticLoop loop(probe, settings(decoupled));
         std::atomic<bool> over{false};
-        std::atomic<int> looks{0};
+        std::atomic<int> reads{0};
         std::thread watcher([&] {
             while (!over)
             {
                 const LoopReport report = loop.report();
                 EXPECT_LE(report.period.p50, report.period.max);
-                ++looks;
+                ++reads;
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
         });
-        double felt = 0;
+        double largest = 0;
         const LoopReport report = loop.run({[&] { world.collide(probe); },
                                             [&](double dt) {
-                                                felt = std::max(felt, loop.latest().requested.norm());
+                                                largest = std::max(largest, loop.latest().requested.norm());
                                                 world.step(dt);
-                                                if (felt > 0 && looks > 10 && loop.report().ticks > 100)
+                                                if (largest > 0 && reads > 10 && loop.report().ticks > 100)
                                                     loop.stop();
                                             }});
         over = true;
         watcher.join();
-        EXPECT_GT(looks, 10);
+        EXPECT_GT(reads, 10);
         EXPECT_GT(report.ticks, 100U);
         EXPECT_GT(report.steps, 0U);
-        EXPECT_GT(felt, 0);
+        EXPECT_GT(largest, 0);
         EXPECT_FALSE(report.scheduling.empty());
         EXPECT_EQ(device_.force, 0);
     }
@@ -194,11 +194,11 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
     settings.physics_rate = 500;
     HapticLoop loop(probe, settings);
     int steps = 0;
-    int felt = 0;
+    int pressed = 0;
     loop.run({[&] { world_.collide(probe); },
               [&](double dt) {
                   world_.step(dt);
-                  felt += loop.latest().requested.norm() > 0.5 ? 1 : 0;
+                  pressed += loop.latest().requested.norm() > 0.5 ? 1 : 0;
                   switch (++steps % 20)
                   {
                   case 5:
@@ -216,11 +216,11 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
                   default:
                       break;
                   }
-                  if (steps >= 250 && felt > 10)
+                  if (steps >= 250 && pressed > 10)
                       loop.stop();
               }});
     dGeomDestroy(geom);
-    EXPECT_GT(felt, 10);
+    EXPECT_GT(pressed, 10);
 }
 
 TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)

@@ -248,19 +248,19 @@ TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
         scene_.probes[0] = &first;
         scene_.probes[1] = &second;
         std::atomic<double> requested[2] = {0, 0}; // N
-        std::atomic<bool> felt{false};
+        std::atomic<bool> both_pressed{false};
         in_two_threads([&](int number) {
             LoopSettings settings;
             settings.decoupled = decoupled;
             settings.duration = 60; // simulated; both touch each other long before
             run(number, settings, [&](HapticLoop &loop, int which) {
                 requested[which] = loop.latest().requested.x();
-                felt = felt || (requested[0] < -0.1 && requested[1] > 0.1);
-                if (felt)
+                both_pressed = both_pressed || (requested[0] < -0.1 && requested[1] > 0.1);
+                if (both_pressed)
                     loop.stop();
             });
         });
-        EXPECT_TRUE(felt) << requested[0] << " and " << requested[1];
+        EXPECT_TRUE(both_pressed) << requested[0] << " and " << requested[1];
     }
 }
 

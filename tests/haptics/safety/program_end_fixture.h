@@ -15,7 +15,7 @@
 
 namespace ode_predictive_space::haptics
 {
-constexpr double felt = 0.1; // N; larger forces count as present
+constexpr double present_force = 0.1; // N; larger forces count as present
 
 /// The force of a device in another process.
 struct SharedForce
@@ -84,7 +84,7 @@ protected:
 
     static void expect_zero(const SharedForce &force)
     {
-        EXPECT_GT(force.most, felt) << "it was there";
+        EXPECT_GT(force.most, present_force) << "it was there";
         EXPECT_EQ(force.now, 0);
     }
 

@@ -162,7 +162,7 @@ public:
 private:
     void at(Place place)
     {
-        if (force_.now > felt)
+        if (force_.now > present_force)
             callback_(place);
     }
 
@@ -174,7 +174,7 @@ private:
         settings.notice = [this](const Notice &) { at(Place::notice); };
         settings.law = std::make_shared<OwnLaw>([this] {
             at(Place::law);
-            return force_.now > felt ? 1e6 : 1; // above the device's maximum: worth a notice
+            return force_.now > present_force ? 1e6 : 1; // above the device's maximum: worth a notice
         });
         return settings;
     }

@@ -30,7 +30,7 @@ public:
 
     void press()
     {
-        while (force_.now <= felt)
+        while (force_.now <= present_force)
             world_.run(*probe_, 1);
     }
 
@@ -97,7 +97,7 @@ TEST_F(SecondProbeEnds, CaughtItLeavesTheFirstAloneAndStillGuarded)
     const ProgramEnd end = end_after_pressing([&](LeaningProbe &first, Device &device) {
         EXPECT_THROW(HapticProbe(device, first.world().space, radius), std::logic_error);
         first.press();
-        std::exit(force_.now > felt ? 3 : 4);
+        std::exit(force_.now > present_force ? 3 : 4);
     });
     EXPECT_TRUE(end.exited_with(3)) << end.messages;
     expect_zero();

@@ -1,7 +1,7 @@
 // A law as the renderer uses it: touches have identities, and their constraint is solved.
 
-#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LAW_FELT_LAW_H
-#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LAW_FELT_LAW_H
+#ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LAW_RENDERED_LAW_H
+#define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_LAW_RENDERED_LAW_H
 
 #include "ode_predictive_space/haptics/contact/contact_manifold.h"
 #include "ode_predictive_space/haptics/force_law.h"
@@ -10,10 +10,10 @@
 
 namespace ode_predictive_space::haptics
 {
-template <class Law> class Felt final : public ForceLaw
+template <class Law> class Rendered final : public ForceLaw
 {
 public:
-    explicit Felt(const Material &material = {}) : law_(material) {}
+    explicit Rendered(const Material &material = {}) : law_(material) {}
 
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double dt, TouchForces &forces) override
     {
