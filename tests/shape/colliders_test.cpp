@@ -518,7 +518,8 @@ TEST_F(ShapeColliders, FindNoContactBesideSurfacesOfPairsThatAreLeftOut)
     }
 }
 
-// ODE's own boxes decide first, then planes of triangles; edges and repeated ground have special rules.
+// ODE's collider of heightfields compares bounding boxes first, then planes of triangles; edges and repeated ground have special
+// rules in it.
 TEST_F(ShapeColliders, FindNoContactWithHeightfieldsOfPairsThatAreLeftOut)
 {
     constexpr int poses = is_long ? 400000 : of_cases(6000);

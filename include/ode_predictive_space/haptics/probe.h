@@ -119,7 +119,7 @@ public:
     /// The sensor, for loops of two threads; 0 with a tool body.
     TouchSensor *sensor();
 
-    /// The tool body, for loops; 0 without one, and after its destruction.
+    /// The body in the scene that the coupling moves, for a HapticLoop; 0 if the probe has none, or when it was destroyed.
     dBodyID tool_body() const;
 
     /// Takes the probe for a loop. From any thread.

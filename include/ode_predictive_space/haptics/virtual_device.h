@@ -66,7 +66,7 @@ protected:
     DeviceState move_to(double seconds) override;
 
 private:
-    /// The change of the hand in a step; not aligned, for the reason given at Quaternion.
+    /// Advances position, velocity, driving acceleration and its rate by a step; not aligned, for the reason given at Quaternion.
     using Transition = Eigen::Matrix<double, 4, 4, Eigen::DontAlign>;
 
     void move_hand(double seconds);

@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// The tool of a probe with an own sphere, as other probes touch it.
+/// What other probes touch of a probe: a sphere at its tool.
 struct ProbeTool
 {
     const void *owner = nullptr;
