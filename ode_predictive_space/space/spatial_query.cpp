@@ -76,13 +76,14 @@ void dxPredictiveSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 
 void dxPredictiveSpace::ask_each(void *data, dxGeom *geom, dNearCallback *callback)
 {
+    bool all_boxes_known = true;
+    for (dxGeom *other = first; other; other = other->next)
+        all_boxes_known &= (flags_beside_others(other) & GEOM_AABB_BAD) == 0;
+    if (!all_boxes_known && !compute_boxes("dSpaceCollide2"))
+        return;
     const Query query = query_of(geom);
     for (dxGeom *other = first; other; other = other->next)
-    {
-        if ((flags_beside_others(other) & GEOM_AABB_BAD) && !compute_boxes("dSpaceCollide2"))
-            return;
         answer(other, query, false, data, callback);
-    }
 }
 
 dxPredictiveSpace::Query dxPredictiveSpace::query_of(dxGeom *geom)
