@@ -18,6 +18,8 @@ namespace ode_predictive_space::haptics
 namespace
 {
 constexpr std::size_t steps_of_tick = 16000; // of reading meshes
+constexpr double widest_sphere = 8;          // radii of the probe; for dCollide()
+constexpr double most_spheres = 8;           // for each geom and tick
 } // namespace
 
 class TouchSensor::Parts
@@ -50,19 +52,33 @@ public:
         tracker->add_if_near(std::move(*nearby));
     }
 
-    /// A geom whose surface dCollide() alone knows. The contact is that of a sphere that covers the region of the
-    /// search, about the proxy, or about the tool where each object is felt alone.
+    /// A geom whose surface dCollide() alone knows. The contact is that of a sphere that covers the region of the search, about
+    /// the proxy, or about the tool where each object is felt alone. ODE's memory and time for a heightfield grow with the fourth
+    /// power of that sphere's radius. So the sphere is bounded, and moves from the proxy towards the tool until it touches.
     std::optional<NearbyGeom> behind_plane(dGeomID other)
     {
         const bool alone = wanted.view == TouchView::each_object_alone;
-        const Vector3 centre = alone ? tracker->tool() : tracker->start_beside(other);
+        const Vector3 start = alone ? tracker->tool() : tracker->start_beside(other);
+        const Vector3 way = tracker->tool() - start;
         const ContactTracker::Region region = tracker->region();
-        const double radius = (region.centre - centre).norm() + region.radius;
-        const std::optional<dContactGeom> contact = geom.contact_with(other, centre, radius);
-        if (!contact)
-            return std::nullopt;
-        const Vector3 normal = from_ode(contact->normal);
-        const Vector3 point = centre - (radius - static_cast<double>(contact->depth)) * normal;
+        const double whole = (region.centre - start).norm() + region.radius;
+        const double radius = std::min(whole, widest_sphere * geom.radius() + tracker->margin());
+        const double steps = radius < whole ? std::min(std::ceil(way.norm() / radius), most_spheres - 1) : 0;
+        for (int step = 0; step <= steps; ++step)
+        {
+            const Vector3 centre =
+                step < way.norm() / radius ? Vector3(start + step * radius * way.normalized()) : tracker->tool();
+            if (const std::optional<dContactGeom> contact = geom.contact_with(other, centre, radius))
+                return behind_plane(other, *contact, centre, radius);
+        }
+        return std::nullopt;
+    }
+
+    std::optional<NearbyGeom> behind_plane(dGeomID other, const dContactGeom &contact, const Vector3 &centre,
+                                           double radius)
+    {
+        const Vector3 normal = from_ode(contact.normal);
+        const Vector3 point = centre - (radius - static_cast<double>(contact.depth)) * normal;
         nonsense = nonsense || !point.allFinite();
         return point.allFinite() ? std::optional(NearbyGeom::behind_plane(other, point, normal)) : std::nullopt;
     }
