@@ -146,7 +146,7 @@ void add_replay(CLI::App &tool, recording::ReplayOptions &options)
                      "these events, and whether all pairs agree")
         ->type_name("FILE");
     replay->add_option("--counted", options.counted)->group(""); // for the process under callgrind
-    replay->add_option("FILE", options.file)->required();
+    replay->add_option("FILE", options.file, "The recording")->required()->type_name("");
     replay->footer(about_replay);
 }
 
@@ -154,8 +154,20 @@ void add_report(CLI::App &tool, std::string &file, std::string &folder)
 {
     CLI::App *report =
         tool.add_subcommand("report", "Write a page, DIR/index.html, that says what a recorded program would gain");
-    report->add_option("FILE", file, "The recording")->required();
-    report->add_option("DIR", folder, "The folder for the page; it is made if it does not exist")->required();
+    report->add_option("FILE", file, "The recording")->required()->check(CLI::ExistingFile)->type_name("");
+    report->add_option("DIR", folder, "The folder for the page; it is made if it does not exist")
+        ->required()
+        ->type_name("");
+}
+
+void check_command(const std::vector<std::string> &words)
+{
+    if (words.empty() || words.front().rfind('-', 0) == 0)
+        return;
+    for (const char *command : {"run", "replay", "report"})
+        if (words.front() == command)
+            return;
+    throw std::runtime_error("there is no command " + words.front() + "; the commands are run, replay and report");
 }
 
 // Removes "--" and the words after it from those of `run`, and returns them: CLI11 would end the subcommand at "--".
@@ -206,6 +218,7 @@ int do_command(int argc, char **argv)
         each->set_version_flag("--version", "ode-predictive " VERSION);
     tool.set_version_flag("--version", "ode-predictive " VERSION);
     std::vector<std::string> words = words_of(argc, argv);
+    check_command(words);
     const std::vector<std::string> cut = cut_at_mark(words);
     std::reverse(words.begin(), words.end()); // as the parser takes them
     try

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/recording/answer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -179,8 +180,8 @@ std::vector<std::string> row_of(const Findings &findings, const Costs &costs, co
     return {name_on_page(replays), readable(1e6 * means.collide),
             readable(1e6 * std::max(0.0, means.notices - costs.notices_without_a_space)), readable(means.callbacks),
             replays.replayed_as == SpaceKind::own ? "\xe2\x80\x93"
-            : gain                                ? formatted("%+.1f %%", -100 * gain->share)
-                                                  : std::string("not known")};
+            : gain ? formatted("%+.1f %%", std::round(-1000 * gain->share) / 10 + 0.0) // not -0
+                   : std::string("not known")};
 }
 
 Curve times_of(const std::string &name, const Cost &cost)

@@ -30,6 +30,23 @@ TEST(Launcher, RefusesWrongOptions)
     }
 }
 
+TEST(Launcher, RefusesAnUnknownCommand)
+{
+    const Outcome outcome = run(TOOL, "replya file");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.output, "ode-predictive: there is no command replya; the commands are run, replay and report\n");
+}
+
+// A page said that the program had not collided.
+TEST(Launcher, RefusesAReportOnAMissingRecording)
+{
+    const ScratchFolder folder;
+    const Outcome outcome = run(TOOL, "report /nonexistent/file " + folder.path());
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(contains(outcome.output, "/nonexistent/file")) << outcome.output;
+    EXPECT_FALSE(std::ifstream(folder.path() + "/index.html"));
+}
+
 // Once, the message named an index.html inside the file.
 TEST(Launcher, RefusesAFileAsTheFolderOfAReport)
 {

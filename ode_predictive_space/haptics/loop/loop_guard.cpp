@@ -89,7 +89,7 @@ void LoopGuard::stop_force(double now, double beat)
     else if (std::exchange(busy_beat_, beat) == beat)
         return; // already reported
     open_gates::close_unguarded(gate_.reader(), now);
-    notify(taken ? "No force: the program's part of the loop has hung for too long."
+    notify(taken ? "No force: a step of the program (collide, advance or a force law) has taken too long."
                  : "The loop hangs in the device's driver. The device may keep its last force: switch it off.");
 }
 
