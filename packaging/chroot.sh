@@ -22,7 +22,11 @@ entries() {
     fi
 }
 
-inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
+# With /proc, by which programs find the libraries in their own build folder; it is gone when the command ends.
+inside() {
+    unshare --mount sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i "$@"' "$chroot" \
+        PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
+}
 
 install_in_chroot() { inside apt-get -q -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "$@" >/dev/null; }
 
