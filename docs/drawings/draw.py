@@ -150,8 +150,8 @@ def draw_path(folder):
     note(axes, 30, 313, "predicted path $s(t)$ of the object's centre", colour=BLUE, size=10)
     note(axes, 30, 294, "true path, a dot per tick", colour="#9a6a00", size=10)
     note(axes, 30, 275, "shaded: deviation, at most $R(t)$ from $s(t)$", size=10)
-    note(axes, 30, 256, "dashed: envelope $S'(t)$, with the object's radius $r$", size=10)
-    note(axes, 30, 237, "box: the envelope as a place, at any time", size=10)
+    note(axes, 30, 256, "dashed: the paper's envelope $S'(t)$, with the object's radius $r$", size=10)
+    note(axes, 30, 237, "box: the envelope here, a place at any time", size=10)
     save(figure, folder, "path.svg")
 
 
