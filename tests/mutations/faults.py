@@ -915,6 +915,10 @@ def haptic_faults():
     tracker = SOURCES + "haptics/contact/contact_tracker.cpp"
     slide = SOURCES + "haptics/contact/sphere_slide.cpp"
     law = SOURCES + "haptics/law/proxy_law.cpp"
+    sensor = SOURCES + "haptics/contact/touch_sensor.cpp"
+    yield Fault(
+        "sphere_over_heightfields_without_bound", "haptics", sensor,
+        "std::min(whole, widest_sphere * geom.radius() + tracker->margin());", "whole;", (("haptics", "TouchSensorTest.*"),))
     yield Fault(
         "region_without_drift", "haptics", tracker, "std::max(around * step, farthest) + 2 * drift;",
         "std::max(around * step, farthest);", (("haptics", "CarriedProxy.*"),))
