@@ -4,7 +4,6 @@
     plots.py [--output FOLDER] FILE...
 
 speed.svg   five worlds, the predictive space beside the best of ODE's (docs/results/worlds_times.csv)
-cost.svg    cost per tick against the number of objects, all contenders (predictive_bench --benchmark_out=FILE, of collide/gas, collide/game)
 table1.svg  the gains of the paper's Table 1, the paper's and those measured here (bench_table1 --json FILE)
 
 A picture is drawn when the files have what it shows. The same files give the same pictures, byte by byte.
@@ -20,25 +19,9 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FuncFormatter, NullFormatter
 
-# The colours of Okabe and Ito, which people who are colour-blind can tell apart; markers and dashes differ as well.
-BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
-YELLOW, BLUE, RED, PINK, GREY = "#B8A800", "#0072B2", "#D55E00", "#CC79A7", "#777777"
-
-# name in the files: (name in the picture, colour, marker, line)
-CONTENDERS = {
-    "predictive-box": ("predictive", BLUE, "o", "-"),
-    "predictive-sphere": ("predictive, spheres", SKY, "o", "--"),
-    "simple": ("simple", GREY, "x", "-"),
-    "hash": ("hash", PINK, "s", "-"),
-    "quadtree": ("quadtree", ORANGE, "^", "-"),
-    "sap": ("sweep and prune", RED, "v", "-"),
-    "bullet-dbvt": ("Bullet, btDbvt", GREEN, "D", "--"),
-    "bullet-sap": ("Bullet, btAxisSweep3", YELLOW, "P", "--"),
-    "sweep": ("plain SIMD sweep", BLACK, "+", ":"),
-    "floor": ("floor", BLACK, "", "-."),
-}
+# Colours of Okabe and Ito, which people who are colour-blind can tell apart; markers differ as well.
+BLACK, ORANGE, BLUE = "#000000", "#E69F00", "#0072B2"
 
 LOWEST_GAIN = -50  # percent; a picture that went on to -200 would show nothing of the rest
 
@@ -56,17 +39,7 @@ STYLE = {
     "axes.grid": True,
     "grid.color": "#dddddd",
     "legend.frameon": False,
-    "lines.linewidth": 1.8,
-    "lines.markersize": 6,
 }
-
-
-def records_of(benchmarks):
-    """Of Google Benchmark's results, the times of dSpaceCollide(): of repetitions, the median."""
-    for one in benchmarks:
-        kind, scene, objects, space = (one["name"].split("/") + [""] * 4)[:4]
-        if kind == "collide" and one.get("aggregate_name", "median") == "median":
-            yield {"scene": scene, "n": int(objects), "space": space, "mean_us": one["real_time"], "ticks": one["iterations"]}
 
 
 def read_records(files):
@@ -77,8 +50,7 @@ def read_records(files):
             if str(name).endswith(".csv"):
                 records += csv.DictReader(file)
                 continue
-            content = json.load(file)
-        records += records_of(content["benchmarks"]) if isinstance(content, dict) else content
+            records += json.load(file)
     return records
 
 
@@ -98,16 +70,6 @@ def legend_of_all(figure, order, **options):
             handles.setdefault(label, handle)
     labels = sorted(handles, key=order.index)
     figure.legend([handles[label] for label in labels], labels, **options)
-
-
-def plain_number(value, _=None):
-    """1,000 and 0.1, not 10^3."""
-    return f"{value:,.0f}" if value >= 1 else f"{value:g}"
-
-
-def label_in_full(axis):
-    axis.set_major_formatter(FuncFormatter(plain_number))
-    axis.set_minor_formatter(NullFormatter())
 
 
 # Worlds of docs/results/worlds_times.csv, from top to bottom.
@@ -149,68 +111,11 @@ def draw_speed(records, folder):
     draw_bars(axes, [place + 0.2 for place in places], shares, texts, color=BLUE, label="predictive")
     axes.set_yticks(list(places), list(SPEED_WORLDS.values()))
     axes.invert_yaxis()
-    axes.set(xlim=(0, 112), xlabel="mean time in dSpaceCollide() per tick (% of the best ODE space)")
+    axes.set(xlim=(0, 112), xlabel="time of dSpaceCollide() per tick (% of the best ODE space)")
     axes.grid(axis="y", visible=False)
     axes.tick_params(axis="y", length=0)
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
     save(figure, folder, "speed.svg")
-
-
-def cost_curves(records, scene):
-    """{contender: {objects: mean microseconds}}; of several measurements of the same the longest counts."""
-    best = {}
-    for record in records:
-        if record.get("scene") == scene and record.get("mean_us", 0) > 0 and "ticks" in record:
-            key = (record["space"], record["n"])
-            if key not in best or record["ticks"] > best[key]["ticks"]:
-                best[key] = record
-    curves = {}
-    for (space, objects), record in best.items():
-        curves.setdefault(space, {})[objects] = record["mean_us"]
-    return {space: dict(sorted(points.items())) for space, points in curves.items() if len(points) > 1}
-
-
-def draw_curves(axes, curves):
-    for space, (label, colour, marker, line) in CONTENDERS.items():
-        if space not in curves:
-            continue
-        points = curves[space]
-        ours = space.startswith("predictive")
-        axes.plot(
-            list(points.keys()),
-            list(points.values()),
-            color=colour,
-            marker=marker,
-            linestyle=line,
-            linewidth=2.8 if space == "predictive-box" else None,
-            zorder=3 if ours else 2,
-            label=label,
-        )
-
-
-def draw_cost(records, folder):
-    panels = [
-        ("gas, half of the objects moving", cost_curves(records, "gas")),
-        ("game, all moving fast", cost_curves(records, "game")),
-    ]
-    panels = [(title, curves) for title, curves in panels if curves]
-    if not panels:
-        return
-    widths = [max(1, len(set().union(*curves.values())) - 0.5) for _, curves in panels]
-    figure, all_axes = plt.subplots(
-        1, len(panels), figsize=(13, 5.6), sharey=True, squeeze=False, width_ratios=widths
-    )
-    figure.subplots_adjust(left=0, right=1, bottom=0, top=1, wspace=0.14)
-    for axes, (title, curves) in zip(all_axes[0], panels):
-        axes.set(xscale="log", yscale="log", title=title, xlabel="objects")
-        draw_curves(axes, curves)
-        axes.set_xticks(sorted(set().union(*curves.values())))
-        label_in_full(axes.xaxis)
-        label_in_full(axes.yaxis)
-    all_axes[0][0].set_ylabel("mean time in dSpaceCollide() per tick (µs)")
-    order = [contender[0] for contender in CONTENDERS.values()]
-    legend_of_all(figure, order, loc="center left", bbox_to_anchor=(1.01, 0.5), labelspacing=0.9)
-    save(figure, folder, "cost.svg")
 
 
 def gains(records, block, other):
@@ -292,7 +197,7 @@ def draw_table1(records, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by predictive_bench or bench_table1, or worlds_times.csv")
+    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by bench_table1, or worlds_times.csv")
     parser.add_argument(
         "--output",
         type=pathlib.Path,
@@ -307,7 +212,7 @@ def main():
         sys.exit(f"plots: {error}")
     arguments.output.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
-        for draw in (draw_speed, draw_cost, draw_table1):
+        for draw in (draw_speed, draw_table1):
             draw(records, arguments.output)
 
 
