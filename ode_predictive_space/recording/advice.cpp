@@ -94,9 +94,10 @@ double whole_tick(const Findings &findings)
 std::string shares_of_tick(const Findings &findings)
 {
     const RecordedTick &tick = *findings.tick;
-    return formatted("While it was recorded, in %s spaces, a tick took %s \xc2\xb5s: %s in collides, %s in callbacks.",
-                     is_predictive(tick.kind) ? "predictive" : name_of(tick.kind), readable(tick.whole).c_str(),
-                     percent(tick.collide / tick.whole).c_str(), percent(tick.callbacks / tick.whole).c_str());
+    return formatted(
+        "For the recording it ran in %s spaces: a tick took %s \xc2\xb5s, %s of it in collides, %s in callbacks.",
+        is_predictive(tick.kind) ? "predictive" : name_of(tick.kind), readable(tick.whole).c_str(),
+        percent(tick.collide / tick.whole).c_str(), percent(tick.callbacks / tick.whole).c_str());
 }
 
 std::string said_of_ode(const Findings &findings)
@@ -104,8 +105,9 @@ std::string said_of_ode(const Findings &findings)
     const std::optional<SpaceKind> best = best_of_ode(findings);
     if (!best)
         return "";
-    return std::string(" In the best ") + (is_predictive(findings.own) ? "" : "other one ") + "of ODE's spaces, " +
-           name_of(*best) + ", it would be " + longer_or_shorter(gain_of(findings, *best)->share) + ".";
+    return std::string(" With the best of ODE's ") + (is_predictive(findings.own) ? "" : "other ") + "spaces, " +
+           name_of(*best) + ", a tick would be " + longer_or_shorter(gain_of(findings, *best)->share) +
+           " than with its own.";
 }
 
 std::string said_of_gain(const Findings &findings, SpaceKind kind)

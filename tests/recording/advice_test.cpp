@@ -83,10 +83,10 @@ TEST(Advice, SaysWhatToDoAndWhatItRestsOn)
         << sentence_for(findings);
     EXPECT_TRUE(says(findings,
                      "Write dPredictiveSpaceCreate(parent) for dHashSpaceCreate(parent), or start the program by "
-                     "ode-predictive run. While"))
+                     "ode-predictive run. For the recording"))
         << sentence_for(findings);
-    EXPECT_TRUE(
-        says(findings, "in predictive spaces, a tick took 1000 \xc2\xb5s: 4.0 % in collides, 20 % in callbacks."));
+    EXPECT_TRUE(says(findings,
+                     "in predictive spaces: a tick took 1000 \xc2\xb5s, 4.0 % of it in collides, 20 % in callbacks."));
     EXPECT_TRUE(says(found(400, 40, 45, 100), "Use predictive spaces by shape: "))
         << sentence_for(found(400, 40, 45, 100));
     EXPECT_TRUE(
@@ -108,11 +108,12 @@ TEST(Advice, SimpleSpacesAreReplacedOnlyOnRequest)
 TEST(Advice, NamesTheBestOfOdesOwnSpaces)
 {
     Findings findings = found(400, 40, 45);
-    EXPECT_FALSE(says(findings, "best other one"));
+    EXPECT_FALSE(says(findings, "With the best of ODE's"));
     findings.spaces.push_back({SpaceKind::sap, about(136)});
     findings.spaces.push_back({SpaceKind::quadtree, about(200)});
     findings.spaces.push_back({SpaceKind::simple, {}}); // this space ends the program
-    EXPECT_TRUE(says(findings, "In the best other one of ODE's spaces, sap, it would be 19 % shorter."))
+    EXPECT_TRUE(
+        says(findings, "With the best of ODE's other spaces, sap, a tick would be 19 % shorter than with its own."))
         << sentence_for(findings);
 }
 
@@ -122,11 +123,12 @@ TEST(Advice, KnowsThatTheProgramHasItAlready)
     findings.own = SpaceKind::box;
     EXPECT_EQ(advice_for(findings), Advice::leave);
     EXPECT_TRUE(says(findings, "Keep the program's spaces: they are predictive, by box. ")) << sentence_for(findings);
-    EXPECT_TRUE(says(findings, "In the best of ODE's spaces, hash, it would be 36 % longer."))
+    EXPECT_TRUE(says(findings, "With the best of ODE's spaces, hash, a tick would be 36 % longer than with its own."))
         << sentence_for(findings);
     findings.spaces[2].spared = 100;
     EXPECT_EQ(advice_for(findings), Advice::use_by_shape);
-    EXPECT_TRUE(says(findings, ". Call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape). While"))
+    EXPECT_TRUE(
+        says(findings, ". Call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape). For the recording"))
         << sentence_for(findings);
 }
 
