@@ -63,6 +63,8 @@ demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_wi
 
 void run_probe(Options options, bool in_window)
 {
+    if (options.device == "mouse" && !in_window)
+        throw std::runtime_error("--device mouse needs a window, whose pointer moves the probe");
     if (options.spaces.empty())
         options.spaces = {"predictive"};
     if (!in_window && options.seconds == 0)
@@ -96,8 +98,8 @@ ExitStatus run_demo(const Options &options)
     const worlds::OdeSession ode;
     const std::string lack = options.headless ? "" : what_a_window_lacks();
     const bool in_window = !options.headless && !options.compare && lack.empty();
-    if (!in_window && (!options.screenshot_file.empty() || options.device == "mouse"))
-        throw std::runtime_error("--screenshot and --device mouse need a window" + (lack.empty() ? "" : ": " + lack));
+    if (!options.screenshot_file.empty() && !in_window)
+        throw std::runtime_error("--screenshot needs a window: " + lack);
     if (options.compare || (!in_window && !options.wants_one_run))
     {
         if (!lack.empty() && !options.compare)

@@ -119,7 +119,7 @@ public:
     /// The sensor, for loops of two threads; 0 with a tool body.
     TouchSensor *sensor();
 
-    /// The body in the scene that the coupling moves, for a HapticLoop; 0 if the probe has none, or when it was destroyed.
+    /// The dynamic body that the virtual coupling holds to the device. 0 for a probe without one, and after its destruction.
     dBodyID tool_body() const;
 
     /// Takes the probe for a loop. From any thread.

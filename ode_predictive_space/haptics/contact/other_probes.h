@@ -11,7 +11,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// What other probes touch of a probe: a sphere at its tool.
+/// The sphere at the tool of a probe, which other probes touch.
 struct ProbeTool
 {
     const void *owner = nullptr;

@@ -10,6 +10,7 @@
 #include "ode_predictive_space/haptics/contact/scene_geoms.h"
 #include "ode_predictive_space/haptics/contact/short_list.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -63,11 +64,12 @@ public:
         const ContactTracker::Region region = tracker->region();
         const double whole = (region.centre - start).norm() + region.radius;
         const double radius = std::min(whole, widest_sphere * geom.radius() + tracker->margin());
-        const double steps = radius < whole ? std::min(std::ceil(way.norm() / radius), most_spheres - 1) : 0;
+        const double length = way.norm();
+        const double steps = radius < whole ? std::min(std::ceil(length / radius), most_spheres - 1) : 0;
         for (int step = 0; step <= steps; ++step)
         {
-            const Vector3 centre =
-                step < way.norm() / radius ? Vector3(start + step * radius * way.normalized()) : tracker->tool();
+            const double gone = step * radius;
+            const Vector3 centre = gone < length ? Vector3(start + gone / length * way) : tracker->tool();
             if (const std::optional<dContactGeom> contact = geom.contact_with(other, centre, radius))
                 return behind_plane(other, *contact, centre, radius);
         }
