@@ -21,8 +21,10 @@ namespace ode_predictive_space::haptics
 ///
 /// In a file it is a line of numbers between blanks:
 ///     t tx ty tz qx qy qz qw fx fy fz buttons vx vy vz wx wy wz
-/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame; docs/haptics/guide.md has the rest of the format. Numbers are
-/// printed so that reading gives back the same doubles.
+/// s, m, quaternion, N, bits, m/s, rad/s, in the device's own frame. Numbers are printed so that reading gives back the same
+/// doubles. Two comments describe the device and the law:
+///     # ode_predictive_space device: <input axes> <force axes> <max force> <stiffness> <damping> <rate> <min xyz> <max xyz> <name>
+///     # ode_predictive_space law: <proxy, penalty or custom>
 struct RecordedTick
 {
     DeviceState state;               ///< its time is that of read()
