@@ -116,6 +116,7 @@ void IslandRollOut::add_connected()
                 border.push_back(other);
         }
     }
+    is_whole_ = border.empty();
     hold_border(border);
 }
 

@@ -55,6 +55,9 @@ public:
 
     bool is_stacked() const { return is_stacked_; }
 
+    /// Whether no connected body was left out.
+    bool is_whole() const { return is_whole_; }
+
 private:
     struct State
     {
@@ -83,6 +86,7 @@ private:
     bool has_joints_ = false;
     bool has_contacts_ = false;
     bool is_stacked_ = false;
+    bool is_whole_ = true;
 };
 } // namespace ode_predictive_space::haptics
 

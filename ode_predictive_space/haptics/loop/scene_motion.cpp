@@ -85,6 +85,7 @@ void SceneMotion::predict(double time, double period, int affordable, MotionFore
         bodies.push_back(touched.body);
     IslandRollOut island(bodies, quick_);
     has_joints_ = island.has_joints();
+    is_whole_ = island.is_whole();
     choose_steps(island, period, affordable);
     const double h = period / steps_per_period_;
     predicted_step_ = h;
@@ -107,7 +108,7 @@ void SceneMotion::note_step(bool drew_numbers)
 {
     quick_ = drew_numbers || (quick_ && !(has_joints_ && is_one_awake()));
     const std::vector<Touched> touched = std::exchange(touched_, {});
-    if (!last_.empty() || touched.empty())
+    if (!last_.empty() || touched.empty() || !is_whole_)
         return;
     const auto surprises = [this](const Touched &each) { return moved_otherwise(each); };
     deviations_ = std::any_of(touched.begin(), touched.end(), surprises) ? deviations_ + 1 : 0;

@@ -23,7 +23,8 @@ public:
     /// Adds forces to the bodies for the step of length h that begins at a, both in s.
     void push(double a, double h);
 
-    /// Compares the program's step with the prediction. Only dWorldQuickStep() with constraints draws ODE's random numbers.
+    /// Compares the program's step with the prediction, if that had all connected bodies.
+    /// @param drew_numbers only dWorldQuickStep() with constraints draws ODE's random numbers.
     void note_step(bool drew_numbers);
 
     /// Whether the program's steps agree with the predictions. After deviations in a row, constant velocities are predicted.
@@ -91,6 +92,7 @@ private:
     int deviations_ = 0;        ///< consecutive steps that deviated
     int steps_needed_ = 1;      ///< by the last measurement
     bool has_joints_ = false;   ///< of the last roll-out
+    bool is_whole_ = true;      ///< the last roll-out had all connected bodies
     bool quick_ = true;         ///< the program seems to use dWorldQuickStep()
 };
 } // namespace ode_predictive_space::haptics

@@ -173,5 +173,42 @@ TEST(Coupling, AProgramWhoseStepIsNotOdesIsFeltByItsVelocitiesAndItIsTold)
     loop.run({[&] { scene.collide(probe); }, [](double) {}});
     EXPECT_EQ(notices.count(NoticeKind::coupling), 1) << notices.text(NoticeKind::coupling);
 }
+
+// A row of balls that moves as one is pushed at its far end, which the trial steps leave out.
+TEST(Coupling, AProgramIsNotBlamedForWhatTheTrialStepsLeaveOut)
+{
+    const OdeUse ode;
+    CouplingScene scene(Stepper::exact);
+    dBodyID last = scene.add_ball(0.05, 0.01, Vector3::Zero());
+    for (int i = 1; i < 40; ++i)
+    {
+        const dBodyID next = scene.add_ball(0.05, 0.01, Vector3(0.03 * i, 0, 0));
+        const dJointID joint = dJointCreateFixed(scene.world, scene.joints);
+        dJointAttach(joint, last, next);
+        dJointSetFixed(joint);
+        last = next;
+    }
+    SimulatedClock clock;
+    NoticeList notices;
+    ScriptedDevice device([](double) { return Vector3(-0.0155, 0, 0); });
+    device.open();
+    HapticProbe probe(device, scene.space, 0.005, with_stiffness(CouplingCase::stiffness));
+    LoopSettings settings;
+    settings.decoupled = true;
+    settings.physics_rate = 100;
+    settings.duration = 1;
+    settings.clock = &clock;
+    settings.ask_for_priority = false;
+    settings.notice = notices.sink();
+    double push = 10; // N
+    HapticLoop loop(probe, settings);
+    loop.run({[&] {
+                  scene.collide(probe);
+                  dBodyAddForce(last, push, 0, 0);
+                  push = -push;
+              },
+              [&](double dt) { scene.step(dt); }});
+    EXPECT_EQ(notices.count(NoticeKind::coupling), 0) << notices.text(NoticeKind::coupling);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics
