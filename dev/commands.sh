@@ -52,7 +52,7 @@ dev_command() {
         find_ode_source
         exec python3 -B tests/mutations/run_mutations.py --ode-source "$ode_source" "${@:2}"
         ;;
-    plots) draw docs/plots/plots.py "${@:2}" ;;
+    plots) draw docs/plots/plots.py ;;
     drawings) draw docs/drawings/draw.py ;;
     docs)
         need docs

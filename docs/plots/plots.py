@@ -1,19 +1,13 @@
 #!/usr/bin/env python3
-"""Draws the pictures of README.md and docs/performance.md from what the benchmarks wrote.
+"""Draws the pictures of README.md and docs/performance.md from docs/results. The same data give the same pictures, byte by byte.
 
-    plots.py [--output FOLDER] FILE...
-
-speed.svg   five worlds, the predictive space beside the best of ODE's (docs/results/worlds_times.csv)
-table1.svg  the gains of the paper's Table 1, the paper's and those measured here (bench_table1 --json FILE)
-
-A picture is drawn when the files have what it shows. The same files give the same pictures, byte by byte.
+speed.svg   five worlds, the predictive space beside the best of ODE's (worlds_times.csv)
+table1.svg  the gains of the paper's Table 1, the paper's and those measured here (table1.csv)
 """
 
 import argparse
 import csv
-import json
 import pathlib
-import sys
 
 import matplotlib
 
@@ -25,7 +19,7 @@ BLACK, ORANGE, BLUE = "#000000", "#E69F00", "#0072B2"
 
 LOWEST_GAIN = -50  # percent; a picture that went on to -200 would show nothing of the rest
 
-PAPER_COLUMNS = {"brute": "brute force", "sap": "sweep and prune", "quadtree": "quadtree", "hash": "uniform grid"}
+PAPER_COLUMNS = ["brute force", "sweep & prune", "quadtree", "uniform grid"]
 
 STYLE = {
     "svg.hashsalt": "ode_predictive_space",
@@ -42,16 +36,12 @@ STYLE = {
 }
 
 
-def read_records(files):
-    """All records of these files in one list."""
-    records = []
-    for name in files:
-        with open(name, encoding="utf-8", newline="") as file:
-            if str(name).endswith(".csv"):
-                records += csv.DictReader(file)
-                continue
-            records += json.load(file)
-    return records
+RESULTS = pathlib.Path(__file__).resolve().parents[1] / "results"
+
+
+def read_results(name):
+    with open(RESULTS / name, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
 # Panels are placed by numbers: matplotlib's own layout engines now and then end in another last digit.
@@ -93,11 +83,9 @@ def draw_bars(axes, places, shares, texts, **options):
         axes.annotate(text, (share, place), xytext=(5, 0), textcoords="offset points", va="center")
 
 
-def draw_speed(records, folder):
+def draw_speed(folder):
     """Bars as parts of the time of the best ODE space, so that worlds of any size fit beside one another."""
-    rows = {(record["scene"], record["n"]): record for record in records if "best ODE" in record}
-    if not all(world in rows for world in SPEED_WORLDS):
-        return
+    rows = {(row["scene"], row["n"]): row for row in read_results("worlds_times.csv")}
     best = [float(rows[world]["best ODE"]) for world in SPEED_WORLDS]
     ours = [float(rows[world]["predictive"]) for world in SPEED_WORLDS]
     places = range(len(SPEED_WORLDS))
@@ -106,7 +94,7 @@ def draw_speed(records, folder):
     texts = list(map(microseconds, best))
     draw_bars(axes, [place - 0.2 for place in places], [100] * len(best), texts, color="#bbbbbb", label="the best of ODE's spaces")
     shares = [100 * mine / theirs for mine, theirs in zip(ours, best)]
-    ratios = [float(rows[world]["ratio"]) for world in SPEED_WORLDS]  # medians of several runs, as the times are
+    ratios = [float(rows[world]["ratio"]) for world in SPEED_WORLDS]
     texts = [f"{microseconds(mine)}: {ratio:.1f} times as fast" for mine, ratio in zip(ours, ratios)]
     draw_bars(axes, [place + 0.2 for place in places], shares, texts, color=BLUE, label="predictive")
     axes.set_yticks(list(places), list(SPEED_WORLDS.values()))
@@ -118,12 +106,12 @@ def draw_speed(records, folder):
     save(figure, folder, "speed.svg")
 
 
-def gains(records, block, other):
+def gains(rows, block, other):
     """{objects: (gain here, gain in the paper)}, in percent."""
     return {
-        record["n"]: (record["gain_percent"], record["paper_gain_percent"])
-        for record in records
-        if record.get("table") == "table1" and record["block"] == block and record["other"] == other
+        row["objects"]: (float(row["gain measured (%)"]), float(row["gain in the paper (%)"]))
+        for row in rows
+        if row["block"] == block and row["other"] == other
     }
 
 
@@ -155,8 +143,8 @@ def draw_markers(axes, places, values, marker, colour, label):
             )
 
 
-def draw_gains(axes, records, other):
-    broad = gains(records, "broad phase", other)
+def draw_gains(axes, rows, other):
+    broad = gains(rows, "broad phase", other)
     places = range(len(broad))
     width = 0.4
     left = [place - width / 2 for place in places]
@@ -169,27 +157,25 @@ def draw_gains(axes, records, other):
         ("broad and narrow phase", "D", ORANGE, "here, with narrow phase"),
         ("whole tick", "o", BLACK, "here, whole tick with the step of the world"),
     ):
-        series = gains(records, block, other)
+        series = gains(rows, block, other)
         known = [(place, series[objects][0]) for place, objects in zip(right, broad) if objects in series]
         draw_markers(axes, [place for place, _ in known], [gain for _, gain in known], marker, colour, label)
-    axes.set_title(f"against {PAPER_COLUMNS[other]}")
-    axes.set_xticks(list(places), [str(objects) for objects in broad])
+    axes.set_title(f"against {other}")
+    axes.set_xticks(list(places), list(broad))
     axes.set_xlabel("objects")
     axes.axhline(0, color=BLACK, linewidth=0.8)
     axes.grid(axis="x", visible=False)
 
 
-def draw_table1(records, folder):
-    others = [other for other in PAPER_COLUMNS if gains(records, "broad phase", other)]
-    if not others:
-        return
-    figure, all_axes = plt.subplots(1, len(others), figsize=(12, 4.4), sharey=True, squeeze=False)
+def draw_table1(folder):
+    rows = read_results("table1.csv")
+    figure, all_axes = plt.subplots(1, len(PAPER_COLUMNS), figsize=(12, 4.4), sharey=True)
     figure.subplots_adjust(left=0, right=1, bottom=0, top=1, wspace=0.06)
-    for column, other in enumerate(others):
-        draw_gains(all_axes[0][column], records, other)
-    all_axes[0][0].set_ylabel("gain (T other − T ours) / T other (%)")
-    lowest = min((record["gain_percent"] for record in records if record.get("table") == "table1"), default=0)
-    all_axes[0][0].set_ylim(max(LOWEST_GAIN, min(0, lowest - 5)), 102)
+    for axes, other in zip(all_axes, PAPER_COLUMNS):
+        draw_gains(axes, rows, other)
+    all_axes[0].set_ylabel("gain (T other − T ours) / T other (%)")
+    lowest = min(float(row["gain measured (%)"]) for row in rows)
+    all_axes[0].set_ylim(max(LOWEST_GAIN, min(0, lowest - 5)), 102)
     order = ["paper", "here, broad phase", "here, with narrow phase", "here, whole tick with the step of the world"]
     legend_of_all(figure, order, loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=4)
     save(figure, folder, "table1.svg")
@@ -197,23 +183,13 @@ def draw_table1(records, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="FILE", help="JSON written by bench_table1, or worlds_times.csv")
-    parser.add_argument(
-        "--output",
-        type=pathlib.Path,
-        default=pathlib.Path(__file__).resolve().parent,
-        metavar="FOLDER",
-        help="where to write the pictures (default: beside this script)",
-    )
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent, metavar="FOLDER",
+                        help="where to write the pictures (default: beside this script)")
     arguments = parser.parse_args()
-    try:
-        records = read_records(arguments.files)
-    except (OSError, ValueError) as error:
-        sys.exit(f"plots: {error}")
     arguments.output.mkdir(parents=True, exist_ok=True)
     with plt.rc_context(STYLE):
         for draw in (draw_speed, draw_table1):
-            draw(records, arguments.output)
+            draw(arguments.output)
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ def clocked(build, kinds, worlds, ours="predictive-box"):
             kind, world, n, space = one["name"].split("/")[:4]
             spaces = found.setdefault((kind, world, int(n)), {})
             spaces[space] = min(spaces.get(space, one), one, key=lambda each: each["real_time"])
-    return found
+    return dict(sorted(found.items()))
 
 
 def rounded(value):
