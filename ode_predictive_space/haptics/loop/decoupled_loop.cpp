@@ -87,7 +87,7 @@ private:
         const unsigned long seed = dRandGetSeed();
         work_.advance(length);
         motion_.note_step(dRandGetSeed() != seed);
-        if (!motion_.repeats() && !deviated_)
+        if (motion_.steps_otherwise() && !deviated_)
             notify_of_deviation();
         ++steps_;
         parts_.time.simulated = changed_ + static_cast<double>(steps_) * length;

@@ -108,10 +108,12 @@ void SceneMotion::note_step(bool drew_numbers)
 {
     quick_ = drew_numbers || (quick_ && !(has_joints_ && is_one_awake()));
     const std::vector<Touched> touched = std::exchange(touched_, {});
-    if (!last_.empty() || touched.empty() || !is_whole_)
+    if (!last_.empty() || touched.empty())
         return;
     const auto surprises = [this](const Touched &each) { return moved_otherwise(each); };
-    deviations_ = std::any_of(touched.begin(), touched.end(), surprises) ? deviations_ + 1 : 0;
+    const bool deviates = std::any_of(touched.begin(), touched.end(), surprises);
+    deviations_ = deviates ? deviations_ + 1 : 0;
+    deviations_of_whole_ = deviates && is_whole_ ? deviations_of_whole_ + 1 : 0;
 }
 
 bool SceneMotion::moved_otherwise(const Touched &touched) const

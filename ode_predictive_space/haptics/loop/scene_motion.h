@@ -23,12 +23,15 @@ public:
     /// Adds forces to the bodies for the step of length h that begins at a, both in s.
     void push(double a, double h);
 
-    /// Compares the program's step with the prediction, if that had all connected bodies.
+    /// Compares the program's step with the prediction.
     /// @param drew_numbers only dWorldQuickStep() with constraints draws ODE's random numbers.
     void note_step(bool drew_numbers);
 
     /// Whether the program's steps agree with the predictions. After deviations in a row, constant velocities are predicted.
     bool repeats() const { return deviations_ < most_deviations; }
+
+    /// Whether the program's steps do more or less than ODE's: they deviate although no connected body was left out.
+    bool steps_otherwise() const { return deviations_of_whole_ >= most_deviations; }
 
     void push_all(double h);
 
@@ -88,12 +91,13 @@ private:
     std::vector<Touched> touched_;
     std::uint64_t received_ = 0;
     int steps_per_period_ = 1;
-    double predicted_step_ = 0; ///< s
-    int deviations_ = 0;        ///< consecutive steps that deviated
-    int steps_needed_ = 1;      ///< by the last measurement
-    bool has_joints_ = false;   ///< of the last roll-out
-    bool is_whole_ = true;      ///< the last roll-out had all connected bodies
-    bool quick_ = true;         ///< the program seems to use dWorldQuickStep()
+    double predicted_step_ = 0;   ///< s
+    int deviations_ = 0;          ///< consecutive steps that deviated
+    int deviations_of_whole_ = 0; ///< those of roll-outs of all connected bodies
+    int steps_needed_ = 1;        ///< by the last measurement
+    bool has_joints_ = false;     ///< of the last roll-out
+    bool is_whole_ = true;        ///< the last roll-out had all connected bodies
+    bool quick_ = true;           ///< the program seems to use dWorldQuickStep()
 };
 } // namespace ode_predictive_space::haptics
 
