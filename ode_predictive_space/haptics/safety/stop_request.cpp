@@ -1,7 +1,5 @@
 #include "ode_predictive_space/haptics/safety.h"
 
-#include "ode_predictive_space/haptics/device/with_lock.h"
-
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -58,14 +56,13 @@ void install()
 
 StopRequest::StopRequest()
 {
-    with_lock(users_mutex, [] {
-        if (users == 0)
-        {
-            request_from.store(nothing, std::memory_order_relaxed);
-            install();
-        }
-        ++users;
-    });
+    const std::lock_guard<std::mutex> lock(users_mutex);
+    if (users == 0)
+    {
+        request_from.store(nothing, std::memory_order_relaxed);
+        install();
+    }
+    ++users;
 }
 
 StopRequest::~StopRequest()
