@@ -68,15 +68,12 @@ SafetyLimits SafetyLimits::of(const Capabilities &capabilities)
 
 const char *explanation_of(SafetyAction action)
 {
-    static constexpr const char *explanations[safety_action_count] = {
+    static constexpr const char *explanations[] = {
         "No force, as the law or the device gave a number that is not finite.",
         "No force, as the hand moved faster than the limit; the device may be throwing it.",
         "No force yet, as the request was never small: the probe is inside of something, or far from its tool body.",
         "No force, as the device's maximum force is 0 or unknown.",
-        "Less force than requested, as it grows slowly after the start or a fault.",
-        "Less force than requested, as it was above the device's maximum.",
-        "The force follows the requested one with a delay, as that changed too fast.",
-        "Less force than requested, as the watchdog reduces it."};
+        "Less force than requested, as it was above the device's maximum."};
     return explanations[static_cast<int>(action)];
 }
 
@@ -164,14 +161,10 @@ Wrench SafetyStage::scale_down(const Wrench &wrench, double elapsed, double allo
     return {ramp_ * allowed * wrench.force, ramp_ * allowed * wrench.torque};
 }
 
-Wrench SafetyStage::slew(const Wrench &target, double elapsed)
+Wrench SafetyStage::slew(const Wrench &target, double elapsed) const
 {
-    Wrench result;
-    result.force = stepped(last_.force, target.force, limits_.max_force_rate * elapsed);
-    result.torque = stepped(last_.torque, target.torque, limits_.max_torque_rate * elapsed);
-    if (result.force != target.force || result.torque != target.torque)
-        take(SafetyAction::slew_limited);
-    return result;
+    return {stepped(last_.force, target.force, limits_.max_force_rate * elapsed),
+            stepped(last_.torque, target.torque, limits_.max_torque_rate * elapsed)};
 }
 
 Wrench SafetyStage::bound(const Wrench &wrench, double allowed) const

@@ -16,9 +16,8 @@ constexpr double longest_decay = 0.01; // s
 
 const char *explanation_of(WatchdogReason reason)
 {
-    static constexpr const char *explanations[watchdog_reason_count] = {
-        "There is no fault.", "The force is removed, as the device does not answer.",
-        "The force is removed, as the scene has not been stepped for too long.",
+    static constexpr const char *explanations[] = {
+        nullptr, nullptr, "The force is removed, as the scene has not been stepped for too long.",
         "The force is removed, as the servo loop misses its deadlines."};
     return explanations[static_cast<int>(reason)];
 }

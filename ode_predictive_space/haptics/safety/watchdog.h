@@ -16,8 +16,7 @@ enum class WatchdogReason
     servo_late     ///< the servo missed a deadline by much, or many in a row
 };
 
-constexpr int watchdog_reason_count = 4;
-
+/// 0 for no reason, and for a lost device, which DeviceLink reports.
 const char *explanation_of(WatchdogReason reason);
 
 /// Limits of a watchdog. All finite and > 0, except ramp_time, which may be 0.
