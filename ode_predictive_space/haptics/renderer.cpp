@@ -13,7 +13,6 @@
 #include "ode_predictive_space/haptics/safety/watchdog.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -360,7 +359,7 @@ void Renderer::read(double time, double clock_time)
 
 void Renderer::relax() noexcept
 {
-    parts_->touched.give_nothing();
+    parts_->touched.give(Vector3::Zero());
     parts_->link.gate().release();
     parts_->relaxed = true;
 }
