@@ -12,19 +12,14 @@ namespace
 {
 constexpr double watch_period = 0.001;  // s
 constexpr double speaker_period = 0.01; // s
-
-DeviceGate &guarded(DeviceGate &gate)
-{
-    gate.set_guarded(true);
-    return gate;
-}
 } // namespace
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
-    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), notices_(std::move(duties_.sink)),
+    : clock_(clock), gate_(gate), duties_(std::move(duties)), notices_(std::move(duties_.sink)),
       watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
       speaker_(clock.start({speaker_period, {}, [this](double) { notices_.deliver_all(); }}))
 {
+    gate_.set_guarded(true);
     if (typeid(clock) != typeid(MonotonicClock) && typeid(clock) != typeid(SimulatedClock))
         clock_watch_ = machine_clock_.start({watch_period, duties_.prepare, [this](double) { look_at_clock(); }});
 }

@@ -27,9 +27,9 @@ extern "C" void note_signal(int number)
     request_from.store(number, std::memory_order_relaxed);
 }
 
-void restore_first(std::size_t count)
+void restore()
 {
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < watched_signals.size(); ++i)
         sigaction(watched_signals[i], &old_actions[i], nullptr);
 }
 
@@ -45,11 +45,7 @@ void install()
             sigaction(watched_signals[i], nullptr, &old_actions[i]) == 0 &&
             (old_actions[i].sa_handler == SIG_IGN || sigaction(watched_signals[i], &action, nullptr) == 0);
         if (!installed)
-        {
-            const int error = errno;
-            restore_first(i);
-            throw std::system_error(error, std::generic_category(), "a signal handler cannot be installed");
-        }
+            throw std::system_error(errno, std::generic_category(), "a signal handler cannot be installed");
     }
 }
 } // namespace
@@ -69,7 +65,7 @@ StopRequest::~StopRequest()
 {
     const std::lock_guard<std::mutex> lock(users_mutex);
     if (--users == 0)
-        restore_first(watched_signals.size());
+        restore();
 }
 
 bool StopRequest::requested() noexcept
