@@ -33,7 +33,11 @@ public:
         if (aims_.take())
             left_ = step;
         else if (!(left_ > 0))
-            return stop(mapping);
+        {
+            if (std::exchange(moves_, false))
+                mapping.move_base(mapping.base(), {});
+            return;
+        }
         moves_ = true;
         const bool arrives = elapsed >= left_ * (1 - rounding);
         const double part = arrives ? 1 : std::max(0.0, elapsed / left_);
@@ -61,13 +65,6 @@ private:
         WorkspacePlacement placement;
         BaseMotion motion;
     };
-
-    void stop(WorkspaceMapping &mapping)
-    {
-        if (moves_)
-            mapping.move_base(mapping.base(), {});
-        moves_ = false;
-    }
 
     Snapshot<Aim> aims_;
     double left_ = 0; ///< s; remaining time

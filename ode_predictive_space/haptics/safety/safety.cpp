@@ -106,7 +106,7 @@ Wrench SafetyStage::limit(const Wrench &requested, const Vector3 &velocity, doub
     }
 
     last_ = result;
-    close_report(before);
+    report_.begun = report_.now & ~before;
     return result;
 }
 
@@ -171,11 +171,6 @@ Wrench SafetyStage::bound(const Wrench &wrench, double allowed) const
 {
     return {shortened(wrench.force, allowed * limits_.max_force),
             shortened(wrench.torque, allowed * limits_.max_torque)};
-}
-
-void SafetyStage::close_report(std::uint32_t before)
-{
-    report_.begun = report_.now & ~before;
 }
 
 void SafetyStage::restart_ramp()

@@ -71,7 +71,6 @@ private:
     Wrench slew(const Wrench &target, double elapsed) const;
     Wrench bound(const Wrench &wrench, double allowed) const;
     void take(SafetyAction action) { report_.now |= 1u << static_cast<int>(action); }
-    void close_report(std::uint32_t before);
 
     SafetyLimits limits_;
     SafetyReport report_;
