@@ -114,9 +114,8 @@ double SafetyStage::time_since_last_call(double time)
 {
     if (!std::isfinite(time))
         return 0;
-    const double elapsed = has_time_ ? std::clamp(time - last_time_, 0.0, longest_tick) : 0;
+    const double elapsed = last_time_ ? std::clamp(time - *last_time_, 0.0, longest_tick) : 0;
     last_time_ = time;
-    has_time_ = true;
     return elapsed;
 }
 
@@ -182,7 +181,7 @@ void SafetyStage::restart_ramp()
 void SafetyStage::reset()
 {
     restart_ramp();
-    has_time_ = false;
+    last_time_.reset();
     engaged_ = false;
 }
 } // namespace ode_predictive_space::haptics

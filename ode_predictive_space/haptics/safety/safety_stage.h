@@ -75,9 +75,8 @@ private:
     SafetyLimits limits_;
     SafetyReport report_;
     Wrench last_;
-    double last_time_ = 0;
+    std::optional<double> last_time_;
     double ramp_ = 0; // 0 to 1
-    bool has_time_ = false;
     bool engaged_ = false;
 };
 

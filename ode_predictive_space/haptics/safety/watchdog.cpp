@@ -38,11 +38,11 @@ WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
 
 void Watchdog::servo_ticked(double time)
 {
-    const double elapsed = has_ticked_ ? std::max(0.0, time - last_tick_) : 0;
+    const double elapsed = last_tick_ ? std::max(0.0, time - *last_tick_) : 0;
     const Fault fault = find_fault(time, elapsed);
     reason_before_ = std::exchange(reason_, fault.reason);
 
-    if (has_ticked_ && time < last_tick_) // the elapsed time is unknown
+    if (last_tick_ && time < *last_tick_) // the elapsed time is unknown
     {
         reason_ = WatchdogReason::servo_late;
         factor_ = 0;
@@ -53,7 +53,6 @@ void Watchdog::servo_ticked(double time)
         factor_ = std::max(0.0, factor_ - std::clamp(fault.lasts, 0.0, elapsed) / decay_time);
 
     last_tick_ = time;
-    has_ticked_ = true;
 }
 
 Watchdog::Fault Watchdog::find_fault(double time, double elapsed)

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <limits>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
@@ -71,8 +72,7 @@ private:
     WatchdogLimits limits_;
     std::atomic<double> physics_time_{-std::numeric_limits<double>::infinity()};
     bool device_answers_ = false;
-    double last_tick_ = 0;
-    bool has_ticked_ = false;
+    std::optional<double> last_tick_;
     int missed_in_a_row_ = 0;
     double factor_ = 0;
     WatchdogReason reason_ = WatchdogReason::device_lost;
