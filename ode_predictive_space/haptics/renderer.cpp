@@ -2,8 +2,8 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
-#include "ode_predictive_space/haptics/device/base_course.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
+#include "ode_predictive_space/haptics/device/hand_workspace.h"
 #include "ode_predictive_space/haptics/law/rendered_touches.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
@@ -308,7 +308,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
 
 void Renderer::move_base(const WorkspacePlacement &placement, const BaseMotion &motion)
 {
-    parts_->workspace.base.aim(parts_->workspace.mapping.base(), placement, motion);
+    parts_->workspace.aim(placement, motion);
 }
 
 const WorkspaceMapping &Renderer::mapping() const
@@ -344,8 +344,7 @@ Material Renderer::rendered(const Material &material) const
 
 void Renderer::read(double time, double clock_time)
 {
-    parts_->workspace.base.follow(time - parts_->tick.time, 1 / parts_->settings.physics_rate,
-                                  parts_->workspace.mapping);
+    parts_->workspace.move_base(time - parts_->tick.time, 1 / parts_->settings.physics_rate);
     parts_->tick.time = time;
     parts_->notices.set_time(time);
     parts_->clock_time = clock_time;
