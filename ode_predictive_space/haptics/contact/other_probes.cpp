@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/contact/short_list.h"
 
+#include <atomic>
 #include <mutex>
 
 namespace ode_predictive_space::haptics
@@ -9,6 +10,7 @@ namespace ode_predictive_space::haptics
 namespace
 {
 std::mutex tools_mutex;
+std::atomic<std::uint64_t> tools_version{0};
 
 /// Never destroyed, because probes can be static objects.
 std::vector<ProbeTool> &tools()
@@ -27,12 +29,19 @@ bool may_touch(const ProbeTool &a, const ProbeTool &b)
 void OtherProbes::announce(ProbeTool tool)
 {
     tool.owner = this;
+    const bool is_new = self_.owner == nullptr;
     self_ = tool;
-    const std::lock_guard<std::mutex> lock(tools_mutex);
-    if (ProbeTool *known = find_in(tools(), [this](const ProbeTool &other) { return other.owner == this; }))
+    std::unique_lock<std::mutex> lock(tools_mutex, std::defer_lock);
+    if (is_new)
+        lock.lock();
+    else if (!lock.try_lock())
+        return;
+    ProbeTool *known = find_in(tools(), [this](const ProbeTool &other) { return other.owner == this; });
+    if (known != nullptr)
         *known = tool;
     else
         tools().push_back(tool);
+    tools_version += is_new ? 1 : 0;
 }
 
 void OtherProbes::leave()
@@ -42,22 +51,35 @@ void OtherProbes::leave()
     self_ = ProbeTool();
     const std::lock_guard<std::mutex> lock(tools_mutex);
     remove_from(tools(), [this](const ProbeTool &other) { return other.owner == this; });
+    ++tools_version;
 }
 
-const std::vector<ProbeTool> &OtherProbes::near()
+void OtherProbes::take_list()
 {
+    version_ = tools_version;
+    all_ = tools();
+}
+
+void OtherProbes::update()
+{
+    std::unique_lock<std::mutex> lock(tools_mutex, std::defer_lock);
+    if (version_ != tools_version)
+        lock.lock();
+    if (lock.owns_lock() || lock.try_lock())
+        take_list();
     near_.clear();
-    const std::lock_guard<std::mutex> lock(tools_mutex);
-    for (const ProbeTool &other : tools())
+    for (const ProbeTool &other : all_)
         if (self_.owner != nullptr && may_touch(self_, other))
             near_.push_back(other);
-    return near_;
 }
 
-dGeomID OtherProbes::sphere_of(dGeomID region)
+const ProbeTool *OtherProbes::find(dGeomID region)
 {
-    const std::lock_guard<std::mutex> lock(tools_mutex);
-    const ProbeTool *found = find_in(tools(), [&](const ProbeTool &other) { return other.region == region; });
-    return found != nullptr ? found->sphere : nullptr;
+    if (version_ != tools_version)
+    {
+        const std::lock_guard<std::mutex> lock(tools_mutex);
+        take_list();
+    }
+    return find_in(all_, [&](const ProbeTool &other) { return other.region == region; });
 }
 } // namespace ode_predictive_space::haptics

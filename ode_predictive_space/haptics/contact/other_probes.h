@@ -28,8 +28,8 @@ struct ProbeTool
 };
 
 /// Two probes must feel the same force, whatever the order of callbacks and loops. So each probe announces its tool here, and
-/// finds the other tools here instead of in the near callback. Each probe has one, in its thread; they share a list, whose lock
-/// is held only while tools are copied.
+/// finds the other tools here instead of in the near callback. From any thread. A probe that finds the list locked uses its
+/// copy of the tick before; it waits only after probes were made or destroyed.
 class OtherProbes
 {
 public:
@@ -43,15 +43,20 @@ public:
 
     void leave();
 
-    /// The tools that this probe may touch now, by spaces and bits.
-    const std::vector<ProbeTool> &near();
+    void update();
 
-    /// The sphere at the tool of the probe with this region; 0 for other geoms.
-    static dGeomID sphere_of(dGeomID region);
+    /// The tools that this probe may touch, by spaces and bits.
+    const std::vector<ProbeTool> &near() const { return near_; }
+
+    const ProbeTool *find(dGeomID region);
 
 private:
+    void take_list();
+
     ProbeTool self_;
+    std::vector<ProbeTool> all_;
     std::vector<ProbeTool> near_;
+    std::uint64_t version_ = 0; ///< of the list of probes, as known
 };
 } // namespace ode_predictive_space::haptics
 

@@ -88,6 +88,7 @@ public:
     /// Adds the tools of other probes. Both use the lower stiffness, so that both feel the same force.
     void hold_other_probes()
     {
+        others.update();
         for (const ProbeTool &other : others.near())
         {
             NearbyGeom tool = NearbyGeom::of(other);
@@ -335,10 +336,10 @@ bool TouchSensor::touch(dGeomID first, dGeomID second)
     if (dGeomIsSpace(other) != 0)
         return false;
     parts_->resolved = false;
-    if (const dGeomID sphere = OtherProbes::sphere_of(other))
+    if (const ProbeTool *probe = parts_->others.find(other))
     {
         if (!parts_->tracker)
-            parts_->collide(sphere);
+            parts_->collide(probe->sphere);
         return true; // OtherProbes has it
     }
     if (parts_->tracker)
