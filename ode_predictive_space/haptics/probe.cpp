@@ -4,12 +4,10 @@
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "ode_predictive_space/haptics/contact/ode_vector.h"
-#include "ode_predictive_space/haptics/device/with_lock.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
 #include <Eigen/Eigenvalues>
-#include <mutex>
 #include <ode/collision_space.h>
 #include <ode/mass.h>
 #include <ode/objects.h>
@@ -106,8 +104,7 @@ public:
             sink(Notice(kind, renderer.last_tick().time, sentence));
     }
 
-    std::mutex run_mutex; ///< guards run
-    std::shared_ptr<ActiveRun> run;
+    std::shared_ptr<ActiveRun> run; ///< for std::atomic_load() and its like
     Renderer renderer;
     std::unique_ptr<TouchSensor> sensor;
     std::uintptr_t tool = 0; ///< its body, kept in tool_watch
@@ -148,9 +145,7 @@ HapticProbe::HapticProbe(Device &device, dBodyID tool, const CouplingProperties 
 
 HapticProbe::~HapticProbe()
 {
-    std::shared_ptr<ActiveRun> run;
-    with_lock(parts_->run_mutex, [&] { run = parts_->run; });
-    if (run)
+    if (const std::shared_ptr<ActiveRun> run = std::atomic_load(&parts_->run))
         run->end_and_wait("a haptic probe");
     try
     {
@@ -164,23 +159,19 @@ HapticProbe::~HapticProbe()
 
 void HapticProbe::take(std::shared_ptr<ActiveRun> run)
 {
-    with_lock(parts_->run_mutex, [&] {
-        if (parts_->run)
-            throw std::logic_error("Another haptic loop uses the probe");
-        parts_->run = std::move(run);
-    });
+    std::shared_ptr<ActiveRun> none;
+    if (!std::atomic_compare_exchange_strong(&parts_->run, &none, std::move(run)))
+        throw std::logic_error("Another haptic loop uses the probe");
 }
 
 void HapticProbe::give_back() noexcept
 {
-    const std::lock_guard<std::mutex> lock(parts_->run_mutex);
-    parts_->run.reset();
+    std::atomic_store(&parts_->run, {});
 }
 
 bool HapticProbe::is_taken() const
 {
-    const std::lock_guard<std::mutex> lock(parts_->run_mutex);
-    return parts_->run != nullptr;
+    return std::atomic_load(&parts_->run) != nullptr;
 }
 
 void HapticProbe::begin(double time, double clock_time)

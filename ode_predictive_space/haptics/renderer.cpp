@@ -2,8 +2,8 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
-#include "ode_predictive_space/haptics/device/base_course.h"
 #include "ode_predictive_space/haptics/device/check_argument.h"
+#include "ode_predictive_space/haptics/device/hand_workspace.h"
 #include "ode_predictive_space/haptics/law/rendered_touches.h"
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
@@ -13,7 +13,6 @@
 #include "ode_predictive_space/haptics/safety/watchdog.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -58,25 +57,10 @@ SafetyLimits usual_limits(const Capabilities &capabilities)
 
 constexpr double jump = 10; // of the maximum speed
 
-/// Topics of notices, with at most one notice a second on each.
-enum Topic : std::size_t
-{
-    topic_contact,
-    topic_material,
-    topic_jump,
-    topic_safety,                                        ///< one for each action
-    topic_watchdog = topic_safety + safety_action_count, ///< one for each reason
-    topic_count = topic_watchdog + watchdog_reason_count
-};
-static_assert(topic_count <= NoticeDesk::most_topics);
-
 bool is_held(const std::optional<unsigned> &button, const DeviceState &state)
 {
     return button && *button < 32 && ((state.buttons >> *button) & 1U) != 0;
 }
-
-constexpr SafetyAction worth_a_notice[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
-                                           SafetyAction::no_axes, SafetyAction::clamped};
 } // namespace
 
 class Renderer::Parts
@@ -114,7 +98,7 @@ public:
         {
             ++tick.tool_jumps;
             restart();
-            notices.notify_once_a_second(topic_jump, NoticeKind::device,
+            notices.notify_once_a_second(NoticeKind::device,
                                          "No force until the probe is free, as the device's position has jumped.");
         }
         if (news.came_back)
@@ -139,7 +123,7 @@ public:
         {
             requested.force.setConstant(std::numeric_limits<double>::quiet_NaN());
             notices.notify_once_a_second(
-                topic_contact, NoticeKind::contact,
+                NoticeKind::contact,
                 "No force: a contact of the probe, or the velocity of a touched body, is not a number.");
         }
         const Vector3 given = write(requested, dt).force;
@@ -161,7 +145,7 @@ public:
         if (less)
         {
             notices.notify_once_a_second(
-                topic_material, NoticeKind::stability,
+                NoticeKind::stability,
                 "A material is softer or less damped than requested, as the device cannot render more.");
         }
     }
@@ -208,26 +192,16 @@ public:
 
     void notify_of_safety()
     {
-        for (const SafetyAction action : worth_a_notice)
-        {
+        for (const SafetyAction action : explained_actions)
             if (safety.report().began(action))
-            {
-                notices.notify_once_a_second(topic_safety + static_cast<std::size_t>(action), NoticeKind::safety,
-                                             explanation_of(action));
-            }
-        }
+                notices.notify_once_a_second(NoticeKind::safety, explanation_of(action));
     }
 
-    // DeviceLink reports a device that does not answer.
     void notify_of_watchdog()
     {
-        const WatchdogReason reason = watchdog->reason();
-        const bool worth = reason == WatchdogReason::physics_stale || reason == WatchdogReason::servo_late;
-        if (worth && watchdog->has_new_reason() && !link.guard_acted()) // the guard has reported that
-        {
-            notices.notify_once_a_second(topic_watchdog + static_cast<std::size_t>(reason), NoticeKind::watchdog,
-                                         explanation_of(reason));
-        }
+        const char *const explanation = explanation_of(watchdog->reason());
+        if (explanation != nullptr && watchdog->has_new_reason() && !link.guard_acted()) // the guard has reported that
+            notices.notify_once_a_second(NoticeKind::watchdog, explanation);
     }
 
     void renew_usual_law()
@@ -334,7 +308,7 @@ void Renderer::set_placement(const WorkspacePlacement &placement)
 
 void Renderer::move_base(const WorkspacePlacement &placement, const BaseMotion &motion)
 {
-    parts_->workspace.base.aim(parts_->workspace.mapping.base(), placement, motion);
+    parts_->workspace.aim(placement, motion);
 }
 
 const WorkspaceMapping &Renderer::mapping() const
@@ -370,8 +344,7 @@ Material Renderer::rendered(const Material &material) const
 
 void Renderer::read(double time, double clock_time)
 {
-    parts_->workspace.base.follow(time - parts_->tick.time, 1 / parts_->settings.physics_rate,
-                                  parts_->workspace.mapping);
+    parts_->workspace.move_base(time - parts_->tick.time, 1 / parts_->settings.physics_rate);
     parts_->tick.time = time;
     parts_->notices.set_time(time);
     parts_->clock_time = clock_time;
@@ -385,7 +358,7 @@ void Renderer::read(double time, double clock_time)
 
 void Renderer::relax() noexcept
 {
-    parts_->touched.give_nothing();
+    parts_->touched.give(Vector3::Zero());
     parts_->link.gate().release();
     parts_->relaxed = true;
 }

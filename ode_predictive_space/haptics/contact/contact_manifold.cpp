@@ -4,8 +4,6 @@
 #include "ode_predictive_space/haptics/contact/short_list.h"
 #include "ode_predictive_space/haptics/contact/yielding_place.h"
 
-#include <cmath>
-
 namespace ode_predictive_space::haptics
 {
 namespace

@@ -134,10 +134,10 @@ void ContactTracker::add_if_near(NearbyGeom geom)
     const Region around = region();
     const double distance = geom.distance(around.centre, around.radius);
     if (distance < around.radius)
-        insert(std::move(geom), distance);
+        add(std::move(geom), distance);
 }
 
-void ContactTracker::insert(NearbyGeom geom, double distance)
+void ContactTracker::add(NearbyGeom geom, double distance)
 {
     near_.add(std::move(geom), course_.start, farthest_carried * radius_, distance);
 }

@@ -77,7 +77,7 @@ public:
 
     TriangleList touched_triangles(dGeomID geom) const;
 
-    void add(NearbyGeom geom) { insert(std::move(geom), 0); }
+    void add(NearbyGeom geom, double distance = 0);
 
     /// Adds a geom if its surface is in the region(). The nearest comes first, so that the result does not depend on the space.
     void add_if_near(NearbyGeom geom);
@@ -110,7 +110,6 @@ private:
         void aim(const Vector3 &to);
     };
 
-    void insert(NearbyGeom geom, double distance);
     bool is_gone(const TouchOfGeom &reported) const;
     double longest_travel() const;
     double travel_of_force() const;

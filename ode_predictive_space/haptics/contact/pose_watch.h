@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <ode/common.h>
-#include <vector>
 
 namespace ode_predictive_space::haptics
 {

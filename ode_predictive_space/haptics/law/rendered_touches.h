@@ -9,8 +9,7 @@
 
 namespace ode_predictive_space::haptics
 {
-/// Call order in each tick: take(), force(), then give() or give_nothing(). Does not allocate for a number of touches
-/// that it has seen before.
+/// Call order in each tick: take(), force(), give(). Does not allocate for a number of touches that it has seen before.
 class RenderedTouches
 {
 public:
@@ -38,7 +37,7 @@ public:
         return sum_of(forces_);
     }
 
-    /// @param given N; the written part of force().
+    /// @param given N; the written part of force(); zero also without force().
     void give(const Vector3 &given)
     {
         if (given.isZero(0))
@@ -46,8 +45,6 @@ public:
         else
             split_.split(touches_, forces_, given);
     }
-
-    void give_nothing() { split_.clear(); }
 
     const std::vector<ForceShare> &shares() const { return split_.shares(); }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -68,11 +69,11 @@ public:
     /// agree with the scene's semi-implicit steps, and create no energy.
     void settle(double now, double due, const DeviceGate &gate, const std::vector<ForceShare> &shares)
     {
-        const std::uint64_t zeros = gate.zeros();
-        const bool guard_took_it = zeros != zeros_; // the servo has hung since then
-        const double held_until = guard_took_it ? std::clamp(gate.last_zero(), written_, now) : now;
+        const double zero = gate.last_zero();
+        const bool guard_took_it = zero != zero_; // the servo has hung since then
+        const double held_until = guard_took_it ? std::clamp(zero, written_, now) : now;
         give(held_until - written_ - tick_, due_ + tick_);
-        zeros_ = zeros;
+        zero_ = zero;
         written_ = now;
         due_ = due;
         held_ = shares;
@@ -114,7 +115,7 @@ private:
     double due_;                   ///< s, on the clock; when the tick of the last write was due
     std::vector<ForceShare> held_; ///< the force since the last write
     double written_ = 0;           ///< s, on the clock; of the last write
-    std::uint64_t zeros_ = 0;      ///< of the gate at the last write
+    double zero_ = -std::numeric_limits<double>::infinity(); ///< of the gate at the last write
 };
 
 /// Constructor and destructor run in the scene's thread, all else in the servo's.

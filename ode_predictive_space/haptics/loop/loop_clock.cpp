@@ -84,6 +84,8 @@ public:
         : clock_(clock), task_(std::move(task)), due_(clock.now() + task_.period)
     {
         clock_.entries_.push_back(this);
+        if (task_.prepare)
+            task_.prepare();
     }
 
     ~Entry() override { clock_.entries_.erase(std::find(clock_.entries_.begin(), clock_.entries_.end(), this)); }
@@ -93,9 +95,6 @@ public:
 
     void carry_out()
     {
-        if (!prepared_ && task_.prepare)
-            task_.prepare();
-        prepared_ = true;
         busy_ = true;
         task_.carry_out(due_);
         busy_ = false;
@@ -106,7 +105,6 @@ private:
     SimulatedClock &clock_;
     PeriodicTask task_;
     double due_; ///< s
-    bool prepared_ = false;
     bool busy_ = false;
 };
 

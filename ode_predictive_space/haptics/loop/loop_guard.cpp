@@ -12,19 +12,14 @@ namespace
 {
 constexpr double watch_period = 0.001;  // s
 constexpr double speaker_period = 0.01; // s
-
-DeviceGate &guarded(DeviceGate &gate)
-{
-    gate.set_guarded(true);
-    return gate;
-}
 } // namespace
 
 LoopGuard::LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties)
-    : clock_(clock), gate_(guarded(gate)), duties_(std::move(duties)), notices_(std::move(duties_.sink)),
+    : clock_(clock), gate_(gate), duties_(std::move(duties)), notices_(std::move(duties_.sink)),
       watch_(clock.start({watch_period, duties_.prepare, [this](double) { look(); }})),
       speaker_(clock.start({speaker_period, {}, [this](double) { notices_.deliver_all(); }}))
 {
+    gate_.set_guarded(true);
     if (typeid(clock) != typeid(MonotonicClock) && typeid(clock) != typeid(SimulatedClock))
         clock_watch_ = machine_clock_.start({watch_period, duties_.prepare, [this](double) { look_at_clock(); }});
 }
@@ -47,14 +42,14 @@ void LoopGuard::end()
 void LoopGuard::look()
 {
     const double beat = last_beat_.load(std::memory_order_relaxed);
-    const double step = scene_.last.load(std::memory_order_acquire);
+    const double step = scene_.last.load(std::memory_order_relaxed);
     const double now = clock_.now();
     if (beat != stopped_beat_ && now - beat >= duties_.stall_after)
         stop_force(now, beat);
     if (step != scene_.stopped && now - step >= duties_.scene_stall_after)
     {
         scene_.stopped = step;
-        if (open_gates::close_unguarded(scene_.thread.load(std::memory_order_relaxed), now))
+        if (open_gates::close_unguarded(scene_.thread, now))
             notify("No force: the scene of another probe of this program has hung for too long.");
     }
     // The loop itself may be asleep, or wait for the scene.
@@ -73,12 +68,6 @@ void LoopGuard::look_at_clock()
     newest_ = now;
     if (has_gone_back_)
         has_gone_back_ = !take_force(now);
-}
-
-void LoopGuard::begin_step(double now)
-{
-    scene_.thread.store(std::this_thread::get_id(), std::memory_order_relaxed);
-    scene_.last.store(now, std::memory_order_release);
 }
 
 void LoopGuard::stop_force(double now, double beat)

@@ -28,6 +28,7 @@ struct GuardDuties
 class LoopGuard
 {
 public:
+    /// In the scene's thread.
     LoopGuard(LoopClock &clock, DeviceGate &gate, GuardDuties duties);
     ~LoopGuard();
     LoopGuard(const LoopGuard &) = delete;
@@ -38,7 +39,7 @@ public:
 
     /// For the scene's thread of a decoupled loop: a step begins. A stall ends the forces of other probes that the
     /// program runs in this thread.
-    void begin_step(double now);
+    void begin_step(double now) { scene_.last.store(now, std::memory_order_relaxed); }
 
     void end_steps() { scene_.last.store(never, std::memory_order_relaxed); }
 
@@ -64,7 +65,7 @@ private:
     {
         std::atomic<double> last{never};
         double stopped = never; ///< the last step before a handled stall
-        std::atomic<std::thread::id> thread{};
+        const std::thread::id thread = std::this_thread::get_id();
     };
 
     LoopClock &clock_;

@@ -23,15 +23,14 @@ class TickStatistics
 public:
     void begin(double now)
     {
-        if (began_)
-            periods_.add(now - begin_);
-        began_ = true;
+        if (begin_)
+            periods_.add(now - *begin_);
         begin_ = now;
     }
 
     void end(double now, double next_due)
     {
-        computes_.add(now - begin_);
+        computes_.add(now - *begin_);
         if (now > next_due)
             overruns_.store(overruns() + 1, std::memory_order_relaxed);
     }
@@ -45,8 +44,7 @@ private:
     TimeHistogram periods_;
     TimeHistogram computes_;
     std::atomic<std::uint64_t> overruns_{0};
-    double begin_ = 0;
-    bool began_ = false;
+    std::optional<double> begin_;
 };
 
 /// Advances a deadline. @return the number of dropped periods, when more than most_behind are missed.

@@ -1,4 +1,3 @@
-#include "ode_predictive_space/haptics/device/with_lock.h"
 #include "ode_predictive_space/haptics/record/recording_format.h"
 #include "ode_predictive_space/haptics/recording.h"
 
@@ -85,32 +84,39 @@ bool Recorder::add(double time, const DeviceState &state, const Vector3 &force) 
 
 void Recorder::flush()
 {
-    with_lock(file_mutex_, [this] {
-        if (file_.is_open())
-        {
-            write_entries();
-            check_file();
-        }
-    });
+    {
+        const std::lock_guard<std::mutex> lock(file_mutex_);
+        if (!file_.is_open())
+            return;
+        write_entries();
+    }
+    check_file();
 }
 
 void Recorder::close()
 {
-    with_lock(file_mutex_, [this] { stopping_ = true; });
+    {
+        const std::lock_guard<std::mutex> lock(file_mutex_);
+        stopping_ = true;
+    }
     stop_.notify_all();
     if (thread_.joinable())
         thread_.join();
-    with_lock(file_mutex_, [this] { close_file(); });
+    close_file();
 }
 
 void Recorder::close_file()
 {
-    if (!file_.is_open())
-        return;
-    write_entries();
-    append_loss(lost_);
-    write_text();
-    file_.close();
+    {
+        const std::lock_guard<std::mutex> lock(file_mutex_);
+        if (!file_.is_open())
+            return;
+        write_entries();
+        append_loss(lost_);
+        write_text();
+        file_.close();
+        failed_ = failed_ || !file_;
+    }
     check_file();
 }
 
@@ -169,7 +175,7 @@ void Recorder::write_text()
 
 void Recorder::check_file() const
 {
-    if (!file_)
+    if (failed_)
         throw DeviceError(DeviceFault::failed, "recording " + name_ + ": it could not be written to its end");
 }
 

@@ -103,7 +103,6 @@ bool DeviceGate::close_with_zero(double now)
     const bool entered = visit([&] {
         closed_.store(true, std::memory_order_relaxed);
         last_zero_.store(now, std::memory_order_relaxed);
-        zeros_.fetch_add(1, std::memory_order_release);
         error = zero_or_close();
     });
     if (!entered)

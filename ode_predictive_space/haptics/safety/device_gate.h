@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <exception>
+#include <limits>
 #include <thread>
 
 namespace ode_predictive_space::haptics
@@ -50,8 +51,7 @@ public:
     /// The thread that read last: the servo's.
     std::thread::id reader() const { return reader_.load(std::memory_order_relaxed); }
 
-    std::uint64_t zeros() const { return zeros_.load(std::memory_order_acquire); }
-
+    /// s, on the guard's clock; when the guard set zero force last, -infinity before.
     double last_zero() const { return last_zero_.load(std::memory_order_relaxed); }
 
 private:
@@ -67,8 +67,7 @@ private:
     std::atomic<bool> shut_{false}; ///< for good
     std::atomic<bool> guarded_{false};
     std::atomic<std::thread::id> reader_{};
-    std::atomic<std::uint64_t> zeros_{0};
-    std::atomic<double> last_zero_{0}; ///< s
+    std::atomic<double> last_zero_{-std::numeric_limits<double>::infinity()};
 };
 } // namespace ode_predictive_space::haptics
 

@@ -6,6 +6,12 @@
 
 namespace ode_predictive_space::haptics
 {
+namespace
+{
+constexpr double notify_again_after = 1;   // s
+constexpr std::size_t most_sentences = 20; // more would allocate
+} // namespace
+
 Notice::Notice(NoticeKind notice_kind, double notice_time, std::string_view sentence)
     : kind(notice_kind), time(notice_time)
 {
@@ -31,7 +37,7 @@ std::string with_reason(const std::string &sentence)
 
 NoticeDesk::NoticeDesk(NoticeSink sink) : sink_(std::move(sink))
 {
-    last_.fill(-std::numeric_limits<double>::infinity());
+    sent_.reserve(most_sentences);
 }
 
 void NoticeDesk::notify(NoticeKind kind, std::string_view sentence) const
@@ -40,11 +46,14 @@ void NoticeDesk::notify(NoticeKind kind, std::string_view sentence) const
         sink_(Notice(kind, time_, sentence));
 }
 
-void NoticeDesk::notify_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence)
+void NoticeDesk::notify_once_a_second(NoticeKind kind, std::string_view sentence)
 {
-    if (time_ - last_[topic] < notify_again_after)
+    auto last = std::find_if(sent_.begin(), sent_.end(), [&](const Sent &sent) { return sent.sentence == sentence; });
+    if (last == sent_.end())
+        last = sent_.insert(last, {sentence, -std::numeric_limits<double>::infinity()});
+    if (time_ - last->time < notify_again_after)
         return;
-    last_[topic] = time_;
+    last->time = time_;
     notify(kind, sentence);
 }
 } // namespace ode_predictive_space::haptics

@@ -1,9 +1,11 @@
-// Notices to the program, at most one a second for each topic.
+// Notices to the program.
 
 #ifndef ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_DESK_H
 #define ODE_PREDICTIVE_SPACE_HAPTICS_NOTICE_DESK_H
 
 #include "ode_predictive_space/haptics/safety.h"
+
+#include <vector>
 
 namespace ode_predictive_space::haptics
 {
@@ -13,8 +15,6 @@ std::string with_reason(const std::string &sentence);
 class NoticeDesk
 {
 public:
-    static constexpr std::size_t most_topics = 20;
-
     explicit NoticeDesk(NoticeSink sink);
 
     void set_sink(NoticeSink sink) { sink_ = std::move(sink); }
@@ -24,14 +24,19 @@ public:
 
     void notify(NoticeKind kind, std::string_view sentence) const;
 
-    void notify_once_a_second(std::size_t topic, NoticeKind kind, std::string_view sentence);
+    /// At most once a second for each sentence, a literal.
+    void notify_once_a_second(NoticeKind kind, std::string_view sentence);
 
 private:
-    static constexpr double notify_again_after = 1; ///< s
+    struct Sent
+    {
+        std::string_view sentence;
+        double time; ///< s, simulated; of the last notice
+    };
 
     NoticeSink sink_;
-    double time_ = 0;                      ///< s, simulated
-    std::array<double, most_topics> last_; ///< s, simulated; when each topic was reported
+    double time_ = 0; ///< s, simulated
+    std::vector<Sent> sent_;
 };
 } // namespace ode_predictive_space::haptics
 

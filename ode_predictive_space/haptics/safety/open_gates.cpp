@@ -1,7 +1,5 @@
 #include "ode_predictive_space/haptics/safety/open_gates.h"
 
-#include "ode_predictive_space/haptics/device/with_lock.h"
-
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -63,6 +61,18 @@ Place &free_place()
     place->next = first_place;
     first_place = place;
     return *place;
+}
+
+/// @return false when the device has a gate already.
+bool try_add(DeviceGate &gate)
+{
+    const std::lock_guard<std::mutex> lock(changes);
+    if (find_place([&](const DeviceGate *other) { return other != nullptr && &other->device() == &gate.device(); }))
+        return false;
+    Place &place = free_place();
+    place.shut_by = std::thread::id();
+    place.gate = &gate;
+    return true;
 }
 
 bool is_empty() noexcept
@@ -147,13 +157,8 @@ void guard_program_end() noexcept
 void add(DeviceGate &gate)
 {
     guard_program_end();
-    with_lock(changes, [&] {
-        if (find_place([&](const DeviceGate *other) { return other != nullptr && &other->device() == &gate.device(); }))
-            throw std::logic_error("Another probe renders to this device; a device can have one probe");
-        Place &place = free_place();
-        place.shut_by = std::thread::id();
-        place.gate = &gate;
-    });
+    if (!try_add(gate)) // without the mutex: a terminate handler may destroy other probes
+        throw std::logic_error("Another probe renders to this device; a device can have one probe");
 }
 
 void remove(DeviceGate &gate) noexcept

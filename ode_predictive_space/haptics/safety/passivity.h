@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
@@ -42,13 +43,12 @@ public:
     /// @param dt seconds from this tick to the next, > 0. @return the requested force plus the controller's damping.
     Vector3 control(const DeviceState &state, const Vector3 &requested, double dt)
     {
-        if (has_position_)
+        if (last_position_)
             energy_ -=
-                written_[(newest_ + written_.size() - delay_) % written_.size()].dot(state.position - last_position_);
+                written_[(newest_ + written_.size() - delay_) % written_.size()].dot(state.position - *last_position_);
         if (!std::isfinite(energy_))
             energy_ = 0; // other stages report it
         last_position_ = state.position;
-        has_position_ = true;
         if (energy_ > 0 && requested.isZero(0))
             energy_ = 0;
 
@@ -74,7 +74,7 @@ public:
         energy_ = 0;
         damping_ = 0;
         written_.fill(Vector3::Zero());
-        has_position_ = false;
+        last_position_.reset();
     }
 
 private:
@@ -84,8 +84,7 @@ private:
     std::array<Vector3, most_delay + 1> written_; ///< N; a ring
     std::size_t newest_ = 0;
     std::size_t delay_ = 0; ///< ticks
-    Vector3 last_position_ = Vector3::Zero();
-    bool has_position_ = false;
+    std::optional<Vector3> last_position_;
 };
 } // namespace ode_predictive_space::haptics
 

@@ -68,15 +68,12 @@ SafetyLimits SafetyLimits::of(const Capabilities &capabilities)
 
 const char *explanation_of(SafetyAction action)
 {
-    static constexpr const char *explanations[safety_action_count] = {
+    static constexpr const char *explanations[] = {
         "No force, as the law or the device gave a number that is not finite.",
         "No force, as the hand moved faster than the limit; the device may be throwing it.",
         "No force yet, as the request was never small: the probe is inside of something, or far from its tool body.",
         "No force, as the device's maximum force is 0 or unknown.",
-        "Less force than requested, as it grows slowly after the start or a fault.",
-        "Less force than requested, as it was above the device's maximum.",
-        "The force follows the requested one with a delay, as that changed too fast.",
-        "Less force than requested, as the watchdog reduces it."};
+        "Less force than requested, as it was above the device's maximum."};
     return explanations[static_cast<int>(action)];
 }
 
@@ -109,7 +106,7 @@ Wrench SafetyStage::limit(const Wrench &requested, const Vector3 &velocity, doub
     }
 
     last_ = result;
-    close_report(before);
+    report_.begun = report_.now & ~before;
     return result;
 }
 
@@ -117,9 +114,8 @@ double SafetyStage::time_since_last_call(double time)
 {
     if (!std::isfinite(time))
         return 0;
-    const double elapsed = has_time_ ? std::clamp(time - last_time_, 0.0, longest_tick) : 0;
+    const double elapsed = last_time_ ? std::clamp(time - *last_time_, 0.0, longest_tick) : 0;
     last_time_ = time;
-    has_time_ = true;
     return elapsed;
 }
 
@@ -164,25 +160,16 @@ Wrench SafetyStage::scale_down(const Wrench &wrench, double elapsed, double allo
     return {ramp_ * allowed * wrench.force, ramp_ * allowed * wrench.torque};
 }
 
-Wrench SafetyStage::slew(const Wrench &target, double elapsed)
+Wrench SafetyStage::slew(const Wrench &target, double elapsed) const
 {
-    Wrench result;
-    result.force = stepped(last_.force, target.force, limits_.max_force_rate * elapsed);
-    result.torque = stepped(last_.torque, target.torque, limits_.max_torque_rate * elapsed);
-    if (result.force != target.force || result.torque != target.torque)
-        take(SafetyAction::slew_limited);
-    return result;
+    return {stepped(last_.force, target.force, limits_.max_force_rate * elapsed),
+            stepped(last_.torque, target.torque, limits_.max_torque_rate * elapsed)};
 }
 
 Wrench SafetyStage::bound(const Wrench &wrench, double allowed) const
 {
     return {shortened(wrench.force, allowed * limits_.max_force),
             shortened(wrench.torque, allowed * limits_.max_torque)};
-}
-
-void SafetyStage::close_report(std::uint32_t before)
-{
-    report_.begun = report_.now & ~before;
 }
 
 void SafetyStage::restart_ramp()
@@ -194,7 +181,7 @@ void SafetyStage::restart_ramp()
 void SafetyStage::reset()
 {
     restart_ramp();
-    has_time_ = false;
+    last_time_.reset();
     engaged_ = false;
 }
 } // namespace ode_predictive_space::haptics

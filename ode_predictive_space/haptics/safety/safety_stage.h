@@ -9,18 +9,20 @@ namespace ode_predictive_space::haptics
 {
 enum class SafetyAction
 {
-    not_finite,   ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
-    too_fast,     ///< the hand is faster than max_speed: zero, at once
-    waiting,      ///< the request was not small since the start: zero
-    no_axes,      ///< the device cannot push, or its maximum is unknown: zero
-    ramping,      ///< after the start or a fault: scaled down
-    clamped,      ///< was above the maximum: shortened, its direction kept
-    slew_limited, ///< changed too fast: approached gradually
-    held_back     ///< the allowance was below 1: scaled down
+    not_finite, ///< the wrench, the velocity, the time or the allowance is NaN or infinite: zero, at once
+    too_fast,   ///< the hand is faster than max_speed: zero, at once
+    waiting,    ///< the request was not small since the start: zero
+    no_axes,    ///< the device cannot push, or its maximum is unknown: zero
+    clamped,    ///< was above the maximum: shortened, its direction kept
+    ramping,    ///< after the start or a fault: scaled down
+    held_back   ///< the allowance was below 1: scaled down
 };
 
-constexpr int safety_action_count = 8;
+/// The actions that are worth a notice, in the enumeration's order.
+constexpr SafetyAction explained_actions[] = {SafetyAction::not_finite, SafetyAction::too_fast, SafetyAction::waiting,
+                                              SafetyAction::no_axes, SafetyAction::clamped};
 
+/// For explained_actions only.
 const char *explanation_of(SafetyAction action);
 
 struct SafetyReport
@@ -66,17 +68,15 @@ private:
     bool has_engaged(const Wrench &requested);
     Wrench clamp(const Wrench &requested);
     Wrench scale_down(const Wrench &wrench, double elapsed, double allowed);
-    Wrench slew(const Wrench &target, double elapsed);
+    Wrench slew(const Wrench &target, double elapsed) const;
     Wrench bound(const Wrench &wrench, double allowed) const;
     void take(SafetyAction action) { report_.now |= 1u << static_cast<int>(action); }
-    void close_report(std::uint32_t before);
 
     SafetyLimits limits_;
     SafetyReport report_;
     Wrench last_;
-    double last_time_ = 0;
+    std::optional<double> last_time_;
     double ramp_ = 0; // 0 to 1
-    bool has_time_ = false;
     bool engaged_ = false;
 };
 

@@ -1,7 +1,5 @@
 #include "ode_predictive_space/haptics/safety.h"
 
-#include "ode_predictive_space/haptics/device/with_lock.h"
-
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -29,9 +27,9 @@ extern "C" void note_signal(int number)
     request_from.store(number, std::memory_order_relaxed);
 }
 
-void restore_first(std::size_t count)
+void restore()
 {
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < watched_signals.size(); ++i)
         sigaction(watched_signals[i], &old_actions[i], nullptr);
 }
 
@@ -47,32 +45,27 @@ void install()
             sigaction(watched_signals[i], nullptr, &old_actions[i]) == 0 &&
             (old_actions[i].sa_handler == SIG_IGN || sigaction(watched_signals[i], &action, nullptr) == 0);
         if (!installed)
-        {
-            const int error = errno;
-            restore_first(i);
-            throw std::system_error(error, std::generic_category(), "a signal handler cannot be installed");
-        }
+            throw std::system_error(errno, std::generic_category(), "a signal handler cannot be installed");
     }
 }
 } // namespace
 
 StopRequest::StopRequest()
 {
-    with_lock(users_mutex, [] {
-        if (users == 0)
-        {
-            request_from.store(nothing, std::memory_order_relaxed);
-            install();
-        }
-        ++users;
-    });
+    const std::lock_guard<std::mutex> lock(users_mutex);
+    if (users == 0)
+    {
+        request_from.store(nothing, std::memory_order_relaxed);
+        install();
+    }
+    ++users;
 }
 
 StopRequest::~StopRequest()
 {
     const std::lock_guard<std::mutex> lock(users_mutex);
     if (--users == 0)
-        restore_first(watched_signals.size());
+        restore();
 }
 
 bool StopRequest::requested() noexcept

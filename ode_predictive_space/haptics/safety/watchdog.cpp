@@ -1,7 +1,6 @@
 #include "ode_predictive_space/haptics/safety/watchdog.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "ode_predictive_space/haptics/device/check_argument.h"
@@ -10,15 +9,15 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-constexpr double no_time_yet = -std::numeric_limits<double>::infinity();
-constexpr double longest_decay = 0.01; // s
+constexpr double decay_time = 0.005;   // s from full force to none, <= 0.01
+constexpr double recovery_time = 0.25; // s from none to full force after a fault
+constexpr int most_missed = 20;        // deadlines in a row
 } // namespace
 
 const char *explanation_of(WatchdogReason reason)
 {
-    static constexpr const char *explanations[watchdog_reason_count] = {
-        "There is no fault.", "The force is removed, as the device does not answer.",
-        "The force is removed, as the scene has not been stepped for too long.",
+    static constexpr const char *explanations[] = {
+        nullptr, nullptr, "The force is removed, as the scene has not been stepped for too long.",
         "The force is removed, as the servo loop misses its deadlines."};
     return explanations[static_cast<int>(reason)];
 }
@@ -37,36 +36,23 @@ WatchdogLimits WatchdogLimits::of(double servo_rate, double physics_rate)
     return limits;
 }
 
-Watchdog::Watchdog(const WatchdogLimits &limits) : limits_(limits), physics_time_(no_time_yet)
-{
-    check_positive(limits.stale_after, "time after which physics is stale");
-    check_positive(limits.late_after, "time after which a servo loop is late");
-    check_positive(limits.late_period, "period of a missed deadline");
-    check_positive(limits.late_in_a_row, "number of missed deadlines");
-    check_positive(limits.decay_time, "decay time of the force");
-    check_not_negative(limits.ramp_time, "ramp time of the force");
-    if (limits.decay_time > longest_decay)
-        refuse(limits.decay_time, "decay time of the force", "at most 0.01 s");
-}
-
 void Watchdog::servo_ticked(double time)
 {
-    const double elapsed = has_ticked_ ? std::max(0.0, time - last_tick_) : 0;
+    const double elapsed = last_tick_ ? std::max(0.0, time - *last_tick_) : 0;
     const Fault fault = find_fault(time, elapsed);
     reason_before_ = std::exchange(reason_, fault.reason);
 
-    if (has_ticked_ && time < last_tick_) // the elapsed time is unknown
+    if (last_tick_ && time < *last_tick_) // the elapsed time is unknown
     {
         reason_ = WatchdogReason::servo_late;
         factor_ = 0;
     }
     else if (fault.reason == WatchdogReason::none)
-        factor_ = limits_.ramp_time > elapsed ? std::min(1.0, factor_ + elapsed / limits_.ramp_time) : 1;
+        factor_ = std::min(1.0, factor_ + elapsed / recovery_time);
     else
-        factor_ = std::max(0.0, factor_ - std::clamp(fault.lasts, 0.0, elapsed) / limits_.decay_time);
+        factor_ = std::max(0.0, factor_ - std::clamp(fault.lasts, 0.0, elapsed) / decay_time);
 
     last_tick_ = time;
-    has_ticked_ = true;
 }
 
 Watchdog::Fault Watchdog::find_fault(double time, double elapsed)
@@ -88,7 +74,7 @@ Watchdog::Fault Watchdog::find_fault(double time, double elapsed)
 
 bool Watchdog::missed_too_many(double elapsed)
 {
-    missed_in_a_row_ = elapsed > limits_.late_period ? std::min(missed_in_a_row_ + 1, limits_.late_in_a_row) : 0;
-    return missed_in_a_row_ == limits_.late_in_a_row;
+    missed_in_a_row_ = elapsed > limits_.late_period ? std::min(missed_in_a_row_ + 1, most_missed) : 0;
+    return missed_in_a_row_ == most_missed;
 }
 } // namespace ode_predictive_space::haptics

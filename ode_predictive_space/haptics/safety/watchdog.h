@@ -4,6 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_HAPTICS_WATCHDOG_H
 
 #include <atomic>
+#include <limits>
+#include <optional>
 
 namespace ode_predictive_space::haptics
 {
@@ -16,33 +18,29 @@ enum class WatchdogReason
     servo_late     ///< the servo missed a deadline by much, or many in a row
 };
 
-constexpr int watchdog_reason_count = 4;
-
+/// 0 for no reason, and for a lost device, which DeviceLink reports.
 const char *explanation_of(WatchdogReason reason);
 
-/// Limits of a watchdog. All finite and > 0, except ramp_time, which may be 0.
+/// Limits of a watchdog. All finite and > 0.
 struct WatchdogLimits
 {
     double stale_after = 0.004;  ///< s without a step of the scene
     double late_after = 0.004;   ///< s between two ticks of the servo loop
     double late_period = 0.0015; ///< s between two ticks; more is a missed deadline
-    int late_in_a_row = 20;      ///< maximum of missed deadlines in a row
-    double decay_time = 0.005;   ///< s from full force to none, <= 0.01
-    double ramp_time = 0.25;     ///< s from none to full force after a fault
 
     /// Limits for two rates in Hz: a sign of life is overdue 3 ms after its due time, but at least 4 ms after the
     /// former one. A hang cannot be recognised before the step is due.
     static WatchdogLimits of(double servo_rate, double physics_rate);
 };
 
-/// The allowed part of the force falls linearly to 0 within decay_time of a fault, so that a slightly late tick costs little,
-/// and rises within ramp_time. It begins at 0, and rises after signs of life of servo, physics and device. physics_fresh() may
-/// be called from any thread, all else from the servo. Neither allocates nor locks. Times are in s on one clock. LoopGuard
-/// handles a servo that hangs.
+/// The allowed part of the force falls linearly to 0 within 5 ms of a fault, so that a slightly late tick costs little, and
+/// rises within 0.25 s. It begins at 0, and rises after signs of life of servo, physics and device. physics_fresh() may be
+/// called from any thread, all else from the servo. Neither allocates nor locks. Times are in s on one clock. LoopGuard handles
+/// a servo that hangs.
 class Watchdog
 {
 public:
-    explicit Watchdog(const WatchdogLimits &limits = {});
+    explicit Watchdog(const WatchdogLimits &limits = {}) : limits_(limits) {}
 
     void physics_fresh(double time) { physics_time_.store(time, std::memory_order_relaxed); }
 
@@ -72,10 +70,9 @@ private:
     static_assert(std::atomic<double>::is_always_lock_free, "nothing may lock in a servo loop");
 
     WatchdogLimits limits_;
-    std::atomic<double> physics_time_;
+    std::atomic<double> physics_time_{-std::numeric_limits<double>::infinity()};
     bool device_answers_ = false;
-    double last_tick_ = 0;
-    bool has_ticked_ = false;
+    std::optional<double> last_tick_;
     int missed_in_a_row_ = 0;
     double factor_ = 0;
     WatchdogReason reason_ = WatchdogReason::device_lost;

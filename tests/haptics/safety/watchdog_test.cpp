@@ -265,31 +265,6 @@ TEST(Watchdog, LimitsFollowFromTheRates)
     EXPECT_THROW(WatchdogLimits::of(1, -1), std::invalid_argument);
 }
 
-TEST(Watchdog, RefusesLimitsThatCannotBe)
-{
-    double WatchdogLimits::*const all[] = {&WatchdogLimits::stale_after, &WatchdogLimits::late_after,
-                                           &WatchdogLimits::late_period, &WatchdogLimits::decay_time,
-                                           &WatchdogLimits::ramp_time};
-    for (double WatchdogLimits::*const limit : all)
-        for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()})
-        {
-            WatchdogLimits limits;
-            limits.*limit = bad;
-            EXPECT_THROW(Watchdog{limits}, std::invalid_argument);
-        }
-    WatchdogLimits limits;
-    limits.decay_time = 0.011;
-    EXPECT_THROW(Watchdog{limits}, std::invalid_argument);
-    limits = {};
-    limits.late_in_a_row = 0;
-    EXPECT_THROW(Watchdog{limits}, std::invalid_argument);
-    limits = {};
-    limits.ramp_time = 0;
-    Program program(limits);
-    program.tick();
-    EXPECT_EQ(program.watchdog.factor(), 1);
-}
-
 TEST(Watchdog, PhysicsAndTheServoLoopMayBeDifferentThreads)
 {
     Watchdog watchdog;
