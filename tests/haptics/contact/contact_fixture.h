@@ -67,13 +67,8 @@ protected:
             allocated = allocation_count() - allocated;
             samples.push_back({tick.time, tick.tool.position, tick.requested, proxy->proxy(), allocated});
         });
-        LoopSettings settings;
-        settings.decoupled = decoupled();
+        LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate_);
         settings.rate = decoupled() ? 4000 : 1000;
-        settings.physics_rate = physics_rate_;
-        settings.duration = duration;
-        settings.ask_for_priority = false;
-        settings.clock = &clock_;
         HapticLoop loop(probe, settings);
         loop.run({[&] { world_.collide(probe); },
                   [&](double dt) {

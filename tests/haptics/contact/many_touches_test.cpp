@@ -95,13 +95,8 @@ double energy_after_bounce(int balls, double physics_rate, std::shared_ptr<Force
     RenderSettings rendering;
     rendering.law = std::move(law);
     HapticProbe probe(device, scene.space, 0.03, rendering);
-    LoopSettings settings;
-    settings.decoupled = physics_rate > 0;
-    settings.physics_rate = settings.decoupled ? physics_rate : 1000;
-    settings.duration = 1.5;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
-    HapticLoop loop(probe, settings);
+    const bool decoupled = physics_rate > 0;
+    HapticLoop loop(probe, simulated(clock, 1.5, decoupled, decoupled ? physics_rate : 1000));
     loop.run({[&] { scene.collide(probe); }, [&](double step) { scene.step(step); }});
     return scene.energy();
 }

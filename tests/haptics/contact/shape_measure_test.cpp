@@ -227,13 +227,7 @@ protected:
     void run(Things &things, HapticProbe &probe, double duration, Outcome &outcome) const
     {
         SimulatedClock clock;
-        LoopSettings settings;
-        settings.decoupled = decoupled();
-        settings.physics_rate = 500;
-        settings.duration = duration;
-        settings.ask_for_priority = false;
-        settings.clock = &clock;
-        HapticLoop loop(probe, settings);
+        HapticLoop loop(probe, simulated(clock, duration, decoupled(), 500));
         things.world.on_pair = [&](dGeomID first, dGeomID second) {
             if (first == probe.geom() || second == probe.geom())
             {

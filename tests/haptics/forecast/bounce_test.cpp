@@ -61,18 +61,10 @@ double energy_kept(const Bounce &bounce, double phase)
     const double before = scene.energy();
     ScriptedDevice device([](double) -> Vector3 { return {0, 0, 0}; });
     RenderSettings rendering;
-    if (bounce.by_proxy)
-        rendering.law = std::make_shared<ProxyLaw>(Material{stiffness});
-    else
-        rendering.law = std::make_shared<PenaltyLaw>(Material{stiffness});
+    rendering.law = make_law(bounce.by_proxy, Material{stiffness});
     HapticProbe probe(device, scene.space, probe_radius, rendering);
-    LoopSettings settings;
-    settings.decoupled = bounce.physics_rate > 0;
-    settings.physics_rate = settings.decoupled ? bounce.physics_rate : 1000;
-    settings.duration = 1.2;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
-    HapticLoop loop(probe, settings);
+    const bool decoupled = bounce.physics_rate > 0;
+    HapticLoop loop(probe, simulated(clock, 1.2, decoupled, decoupled ? bounce.physics_rate : 1000));
     loop.run({[&] { scene.collide(probe); }, [&](double step) { scene.step(step); }});
     return scene.energy() / before;
 }

@@ -241,8 +241,7 @@ struct CouplingCase
         Material material;
         material.stiffness = stiffness;
         material.friction = friction;
-        return by_proxy ? std::shared_ptr<ForceLaw>(std::make_shared<ProxyLaw>(material))
-                        : std::make_shared<PenaltyLaw>(material);
+        return make_law(by_proxy, material);
     }
 };
 

@@ -161,12 +161,7 @@ TEST(Coupling, AProgramWhoseStepIsNotOdesIsFeltByItsVelocitiesAndItIsTold)
     ScriptedDevice device([&](double) { return Vector3(-0.015, 0, 0); });
     device.open();
     HapticProbe probe(device, scene.space, 0.005, with_stiffness(CouplingCase::stiffness));
-    LoopSettings settings;
-    settings.decoupled = true;
-    settings.physics_rate = 100;
-    settings.duration = 2;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
+    LoopSettings settings = simulated(clock, 2, true, 100);
     settings.notice = notices.sink();
     dJointDestroy(dBodyGetJoint(scene.bodies[0], 0)); // ODE would let it fall, the program does not
     HapticLoop loop(probe, settings);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/law/rendered_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
@@ -35,24 +34,6 @@ std::vector<Touch> roomy_touches(RandomNumbers &random, int count)
             touch_of(static_cast<std::uintptr_t>(object), normal, random.between(0, normal.dot(free_point))));
     }
     return touches;
-}
-
-TEST(ProxyLaw, OnOnePlaneWithoutFrictionIsThePenaltyLaw)
-{
-    RandomNumbers random(1);
-    for (int i = 0; i < 2000; ++i)
-    {
-        const double stiffness = random.between(0, 3000);
-        Rendered<ProxyLaw> proxy({stiffness, 3, 0});
-        Rendered<PenaltyLaw> penalty({stiffness, 3, 0});
-        const ToolState tool = random.tool();
-        const std::vector<Touch> touches = random.touches(1);
-        TouchForces ours, theirs;
-        proxy.forces(tool, touches, dt, ours);
-        penalty.forces(tool, touches, dt, theirs);
-        EXPECT_EQ(ours[0], theirs[0]);
-        EXPECT_NEAR((proxy.proxy() - tool.position - touches[0].depth * touches[0].normal).norm(), 0, 1e-15);
-    }
 }
 
 TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)

@@ -222,19 +222,5 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
     dGeomDestroy(geom);
     EXPECT_GT(pressed, 10);
 }
-
-TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)
-{
-    HapticProbe probe(device_, world_.space, radius, without_ramp());
-    HapticLoop loop(probe, settings(true));
-    EXPECT_THROW(loop.run({[] {},
-                           [&](double) {
-                               if (loop.report().ticks > 20)
-                                   throw std::runtime_error("enough");
-                           }}),
-                 std::runtime_error);
-    EXPECT_EQ(count(NoticeKind::exception), 1);
-    EXPECT_EQ(device_.force, 0);
-}
 } // namespace
 } // namespace ode_predictive_space::haptics

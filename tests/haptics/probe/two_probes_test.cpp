@@ -108,12 +108,8 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
         scene.probes[0] = &first;
         scene.probes[1] = &second;
         SimulatedClock clock;
-        LoopSettings settings;
-        settings.decoupled = decoupled;
-        settings.duration = 8;
-        settings.clock = &clock;
         Balance balance;
-        HapticLoop loop(first, settings);
+        HapticLoop loop(first, simulated(clock, 8, decoupled));
         SceneWork work;
         work.collide = [&] {
             second.begin(clock.now());
@@ -218,11 +214,7 @@ TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
         RenderedTick latest[2];
         in_two_threads([&](int number) {
             ClockInTurns clock(turns, number);
-            LoopSettings settings;
-            settings.decoupled = decoupled;
-            settings.duration = 8;
-            settings.clock = &clock;
-            run(number, settings, [&](const HapticLoop &loop, int which) {
+            run(number, simulated(clock, 8, decoupled), [&](const HapticLoop &loop, int which) {
                 latest[which] = loop.latest();
                 if (which == 1)
                     balance.add(latest[0], latest[1]);

@@ -174,17 +174,6 @@ TEST(SafetyStage, LetsGoOfAHandThatIsTooFastAndComesBackSlowly)
     EXPECT_EQ(loop.tick(wrench_of(3), 1e300).force.y(), 0); // its square overflows
 }
 
-TEST(SafetyStage, RampsInAfterTheStart)
-{
-    Loop loop(test_limits());
-    EXPECT_EQ(loop.tick(wrench_of(0.2)).force.y(), 0);
-    for (int i = 1; i < 100; ++i)
-    {
-        EXPECT_NEAR(loop.tick(wrench_of(2)).force.y(), 2 * i * dt / 0.1, 1e-9);
-        EXPECT_TRUE(loop.stage.report().did(SafetyAction::ramping));
-    }
-}
-
 TEST(SafetyStage, WaitsUntilTheForceWasSmallOnce)
 {
     Loop loop(test_limits());

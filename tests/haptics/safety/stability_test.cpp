@@ -39,15 +39,6 @@ TEST(Stability, WhatTheDeviceCanRenderIsFine)
     }
 }
 
-TEST(Stability, AStifferWallIsClampedToTheDevice)
-{
-    const StabilityVerdict verdict = check_stability(desktop(), rendering_of(3000));
-    EXPECT_EQ(verdict.outcome, StabilityOutcome::clamped);
-    EXPECT_EQ(verdict.stiffness, 1000);
-    EXPECT_EQ(verdict.reason,
-              "A stiffness of 3000 N/m is above the 1000 N/m that PHANToM Desktop can render; 1000 N/m is used.");
-}
-
 TEST(Stability, ASlowerLoopRendersLessAFasterOneNotMore)
 {
     EXPECT_EQ(check_stability(desktop(), rendering_of(3000, 500)).stiffness, 500);

@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/probe.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
 
 #include <algorithm>
 #include <functional>
@@ -52,6 +53,13 @@ public:
     OdeUse(const OdeUse &) = delete;
     OdeUse &operator=(const OdeUse &) = delete;
 };
+
+inline std::shared_ptr<ForceLaw> make_law(bool by_proxy, const Material &material = {})
+{
+    if (by_proxy)
+        return std::make_shared<ProxyLaw>(material);
+    return std::make_shared<PenaltyLaw>(material);
+}
 
 inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
 {
