@@ -4,7 +4,6 @@
 #include "tests/haptics/support/scripted_device.h"
 
 #include "ode_predictive_space/haptics/loop.h"
-#include "ode_predictive_space/haptics/penalty_law.h"
 
 #include <algorithm>
 #include <cmath>

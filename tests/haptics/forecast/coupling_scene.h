@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_SCENE_H
 
-#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/support/probe_world.h"
 
 #include <cmath>

@@ -4,8 +4,6 @@
 
 #include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/loop.h"
-#include "ode_predictive_space/haptics/penalty_law.h"
-#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/contact/contact_fixture.h"
 #include "tests/haptics/support/constants.h"
 

@@ -2,7 +2,6 @@
 
 #include "ode_predictive_space/haptics/loop.h"
 
-#include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/ridges.h"

@@ -2,7 +2,6 @@
 
 #include "ode_predictive_space/haptics/renderer.h"
 
-#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/support/faulty_device.h"
 #include "tests/haptics/support/probe_fixture.h"
 
