@@ -22,7 +22,7 @@ namespace ode_predictive_space::haptics
 {
 constexpr double k = 500; // N/m
 
-/// The parameters: whether the law is the proxy's, and whether the loop has two threads.
+/// The parameters: whether the law is the proxy's, and whether the loop has two threads. With two, the space tests shapes.
 class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>
 {
 protected:
@@ -81,7 +81,7 @@ protected:
     }
 
     const OdeUse ode_;
-    ProbeWorld world_;
+    ProbeWorld world_{decoupled() ? SpaceChoice::predictive_by_shape : SpaceChoice::predictive};
     SimulatedClock clock_;
     double friction_ = 0;
     double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads

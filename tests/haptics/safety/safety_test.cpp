@@ -197,18 +197,6 @@ TEST(SafetyStage, WaitsUntilTheForceWasSmallOnce)
     EXPECT_TRUE(loop.stage.report().did(SafetyAction::waiting));
 }
 
-TEST(SafetyStage, ADeviceThatCannotPushGetsNothing)
-{
-    Capabilities mouse;
-    mouse.force_axes = 0;
-    mouse.max_force = 5; // ignored
-    Loop loop(SafetyLimits::of(mouse));
-    loop.tick(Wrench());
-    for (int i = 0; i < 1000; ++i)
-        EXPECT_EQ(loop.tick(wrench_of(3, 1)).force.norm(), 0);
-    EXPECT_TRUE(loop.stage.report().did(SafetyAction::no_axes));
-}
-
 TEST(SafetyStage, ADeviceWithoutTorqueGetsNoneAndThatIsNoEvent)
 {
     Capabilities device;

@@ -23,11 +23,12 @@ enum class SpaceChoice
     simple,
     hash,
     sweep_and_prune,
-    predictive
+    predictive,
+    predictive_by_shape
 };
 
 constexpr SpaceChoice all_space_choices[] = {SpaceChoice::simple, SpaceChoice::hash, SpaceChoice::sweep_and_prune,
-                                             SpaceChoice::predictive};
+                                             SpaceChoice::predictive, SpaceChoice::predictive_by_shape};
 
 inline dSpaceID make_space(SpaceChoice choice, dSpaceID parent = nullptr)
 {
@@ -40,9 +41,13 @@ inline dSpaceID make_space(SpaceChoice choice, dSpaceID parent = nullptr)
     case SpaceChoice::sweep_and_prune:
         return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XYZ);
     case SpaceChoice::predictive:
-        return dPredictiveSpaceCreate(parent);
+    case SpaceChoice::predictive_by_shape:
+        break;
     }
-    return nullptr;
+    const dSpaceID space = dPredictiveSpaceCreate(parent);
+    if (choice == SpaceChoice::predictive_by_shape)
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    return space;
 }
 
 class OdeUse
