@@ -11,7 +11,7 @@
 #include "tests/faults/allocation_faults.h"
 #include "tests/recording/recorded.h"
 #include "tests/recording/recorder_fixture.h"
-#include "tests/recording/scratch_recording.h"
+#include "tests/support/scratch.h"
 #include "tests/support/effort.h"
 
 namespace ode_predictive_space::recording
@@ -111,7 +111,7 @@ TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
 
 TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr), twin = dPredictiveSpaceCreate(nullptr);
     std::vector<std::array<dGeomID, 2>> geoms;
     for (int i = 0; i < 40; ++i)
@@ -142,7 +142,7 @@ TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
 
 TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     dCreateSphere(space, 1);
     ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
@@ -154,7 +154,7 @@ TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
 // Once, the next collide ended the program.
 TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr), other = dPredictiveSpaceCreate(nullptr);
     dCreateSphere(space, 1);
     ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
