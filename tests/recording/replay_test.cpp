@@ -179,17 +179,6 @@ TEST_F(Replay, OnlyOdesOwnSpacesMayHaveMoreOfWhatHasNoBounds)
     }
 }
 
-TEST_F(Replay, KnowsTheProgramsOwnKindOfSpace)
-{
-    EXPECT_EQ(own_kind(collided(1).state_of_first_space()), SpaceKind::hash);
-    const dSpaceID other = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
-    Recorded recorded;
-    recorded.ask(reinterpret_cast<dGeomID>(space_), reinterpret_cast<dGeomID>(other));
-    recorded.collide(other);
-    EXPECT_EQ(own_kind(recorded.end().state_of_first_space()), SpaceKind::sap) << "the first that is collided";
-    dSpaceDestroy(other);
-}
-
 TEST_F(Replay, SaysWhyAChildDidNotGetToItsEnd)
 {
     EXPECT_EQ(do_in_child([] {}), "");
