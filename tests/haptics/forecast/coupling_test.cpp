@@ -123,15 +123,6 @@ TEST(Coupling, ARopeHoldsWhenTheSceneComesLate)
     expect_as_one(ensemble(scenario, Stepper::exact, 100, 0.002), truth, scenario, 100);
 }
 
-TEST(Coupling, AFreeBallLeavesTheHandAtTwiceItsSpeed)
-{
-    for (const double rate : all_rates)
-    {
-        const CoupledRun run(free_balls({0.01}), Vector3::Zero(), Stepper::exact, rate);
-        EXPECT_NEAR(run.scene().speed(), 2 * 0.1, 1e-3) << rate << " Hz";
-    }
-}
-
 TEST_P(LeaningTest, HalfAMinuteIsAsOneThread)
 {
     expect_steady(30);
