@@ -243,19 +243,5 @@ TEST_P(SurfaceLaw, RefusesPropertiesThatCannotBe)
         EXPECT_THROW(make({500, 0, 0, bad}), std::invalid_argument);
     }
 }
-
-TEST_P(SurfaceLaw, TellsWhatStabilityDependsOn)
-{
-    const auto law = make({600, 3, 0.1});
-    EXPECT_EQ(law->material().stiffness, 600);
-    EXPECT_EQ(law->material().damping, 3);
-
-    Touch touch;
-    touch.depth = 0.01;
-    touch.material = Material{400};
-    TouchForces forces;
-    law->forces({}, {touch}, dt, forces);
-    EXPECT_NEAR(forces[0].z(), 4, 1e-12);
-}
 } // namespace
 } // namespace ode_predictive_space::haptics

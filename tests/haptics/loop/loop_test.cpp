@@ -76,18 +76,6 @@ TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
     dGeomDestroy(broken);
 }
 
-TEST_P(HapticLoopTest, EndsWhenItIsToldTo)
-{
-    make();
-    loop_->run(work([this](double time) {
-        if (time >= pressed_after)
-            loop_->stop();
-    }));
-    EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
-    expect_zero_force_after(pressed_after, clock_.now() + 1);
-    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
-}
-
 TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)
 {
     const SignalDisposition ending(SIGTERM);
