@@ -155,13 +155,6 @@ TEST_P(HeldBodyTest, ABodyAgainstAWallIsAsStiffAsTheWall)
     expect_the_stiffness_of_the_wall({side / 2, 0, 0}, Vector3::UnitX());
 }
 
-TEST_P(HeldBodyTest, ABodyOnAFloorIsAsStiffAsTheFloor)
-{
-    dWorldSetGravity(world_.world, 0, 0, -9.81);
-    dCreatePlane(world_.space, 0, 0, 1, 0);
-    expect_the_stiffness_of_the_wall({0, 0, side / 2}, -Vector3::UnitZ());
-}
-
 std::string name_of_law(const testing::TestParamInfo<bool> &law)
 {
     return law.param ? "Proxy" : "Penalty";

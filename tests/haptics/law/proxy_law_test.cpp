@@ -72,22 +72,6 @@ TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
         EXPECT_GT(carriers_seen[carriers], 100) << carriers;
 }
 
-TEST(ProxyLaw, TheOrderOfTouchesDoesNotMatter)
-{
-    RandomNumbers random(3);
-    for (int i = 0; i < 1000; ++i)
-    {
-        Rendered<ProxyLaw> law({1000, 0, 0}), other({1000, 0, 0});
-        std::vector<Touch> touches = roomy_touches(random, 5);
-        TouchForces forces, reversed;
-        law.forces({}, touches, dt, forces);
-        std::reverse(touches.begin(), touches.end());
-        other.forces({}, touches, dt, reversed);
-        for (std::size_t touch = 0; touch < touches.size(); ++touch)
-            EXPECT_NEAR((forces[touch] - reversed[touches.size() - 1 - touch]).norm(), 0, 1e-6);
-    }
-}
-
 TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)
 {
     TouchForces forces;
