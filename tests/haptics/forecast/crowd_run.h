@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/forecast/coupling_scene.h"
+#include "tests/haptics/support/scripted_device.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/probe_world.h"
+#include "tests/haptics/support/scripted_device.h"
 
 #include <gtest/gtest.h>
 
