@@ -11,7 +11,6 @@
 
 #include <ode/ode.h>
 
-#include "ode_predictive_space/recording/answer.h"
 #include "ode_predictive_space/recording/check.h"
 #include "ode_predictive_space/recording/child.h"
 #include "tests/contract/support/geom_zoo.h"
