@@ -11,8 +11,8 @@
 #include "tests/faults/allocation_faults.h"
 #include "tests/recording/recorded.h"
 #include "tests/recording/recorder_fixture.h"
-#include "tests/support/scratch.h"
 #include "tests/support/effort.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {

@@ -10,8 +10,8 @@
 #include <ode/common.h>
 
 #include "ode_predictive_space/recording/format.h"
-#include "tests/support/scratch.h"
 #include "tests/support/program.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {

@@ -59,10 +59,10 @@ void expect_bad(const std::string &content, int line, const std::string &complai
 TEST(Recording, ReadsPlainTrajectoriesOfTum)
 {
     const ScratchFile file("# ground truth trajectory\n"
-                             "# timestamp tx ty tz qx qy qz qw\n"
-                             "1305031098.6659 1.3563 0.6305 1.6380 0.6132 0.5962 -0.3311 -0.3986\n"
-                             "\n"
-                             "  1305031098.6758\t1.3543 0.6306 1.6360 0.6129 0.5966 -0.3316 -0.3980\r\n");
+                           "# timestamp tx ty tz qx qy qz qw\n"
+                           "1305031098.6659 1.3563 0.6305 1.6380 0.6132 0.5962 -0.3311 -0.3986\n"
+                           "\n"
+                           "  1305031098.6758\t1.3543 0.6306 1.6360 0.6129 0.5966 -0.3316 -0.3980\r\n");
     const Recording recording = read_recording(file.path());
     ASSERT_EQ(recording.ticks.size(), 2u);
     EXPECT_FALSE(recording.has_forces);
@@ -102,7 +102,7 @@ TEST(Recording, ReadsVelocities)
 TEST(Recording, ReadsWhatTheDeviceCouldDo)
 {
     const ScratchFile file("# ode_predictive_space device: 6 3 7.9 1000 5 500 -1 -2 -3 1 2 3 PHANToM Desktop\n"
-                             "0 1 2 3 0 0 0 1\n");
+                           "0 1 2 3 0 0 0 1\n");
     const Recording recording = read_recording(file.path());
     ASSERT_TRUE(recording.device);
     EXPECT_EQ(recording.device->name, "PHANToM Desktop");

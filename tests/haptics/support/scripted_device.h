@@ -30,8 +30,7 @@ inline Wrench push(double newtons)
 }
 
 /// Settings of a loop in simulated time, without real-time priority. @param duration s. @param physics_rate Hz; if decoupled.
-inline LoopSettings simulated(LoopClock &clock, double duration, bool decoupled = false,
-                              double physics_rate = 1000)
+inline LoopSettings simulated(LoopClock &clock, double duration, bool decoupled = false, double physics_rate = 1000)
 {
     LoopSettings settings;
     settings.decoupled = decoupled;
