@@ -1,32 +1,15 @@
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/support/program.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::benchmarks
 {
 namespace
 {
-class ResultFile
-{
-public:
-    ResultFile()
-        : path_(std::filesystem::temp_directory_path() / ("benchmarks_test_" + std::to_string(getpid()) + ".json"))
-    {}
-    ~ResultFile() { std::filesystem::remove(path_); }
-    ResultFile(const ResultFile &) = delete;
-    ResultFile &operator=(const ResultFile &) = delete;
-    std::string path() const { return path_.string(); }
-    nlohmann::json content() const { return nlohmann::json::parse(std::ifstream(path_)); }
-
-private:
-    std::filesystem::path path_;
-};
-
 std::string filtered(const std::string &pattern)
 {
     return "--brief '--benchmark_filter=" + pattern + "'";
@@ -34,11 +17,11 @@ std::string filtered(const std::string &pattern)
 
 TEST(PredictiveBench, MeasuresEachKindInAllSpacesAndWritesWhatItFound)
 {
-    const ResultFile file;
+    const ScratchFile file;
     const Outcome outcome = run(PREDICTIVE_BENCH, filtered("(gas|game_stepped|chain|spheres|rays|spot)/") +
                                                       " --benchmark_out=" + file.path());
     ASSERT_EQ(outcome.status, 0) << outcome.output;
-    const nlohmann::json content = file.content();
+    const nlohmann::json content = nlohmann::json::parse(file.text());
     std::map<std::string, std::string> hashes;
     std::map<std::string, int> kinds;
     for (const nlohmann::json &record : content.at("benchmarks"))
@@ -89,10 +72,10 @@ TEST(SmallPrograms, PrintAndWriteTheirFigures)
         {BENCH_MEMORY, "--n 40 --ticks 300"}, {BENCH_SERVO, "--n 40 --seconds 0.2"}, {BENCH_TABLE1, "--ticks 64"}};
     for (const auto &[program, arguments] : programs)
     {
-        const ResultFile file;
+        const ScratchFile file;
         const Outcome outcome = run(program, arguments + " --json " + file.path());
         EXPECT_EQ(outcome.status, 0) << outcome.output;
-        EXPECT_GE(file.content().size(), 10u) << program;
+        EXPECT_GE(nlohmann::json::parse(file.text()).size(), 10u) << program;
         EXPECT_EQ(run(program, "--nope").status, 2) << program;
         EXPECT_EQ(run(program, arguments + " --json /no/such/folder/results.json").status, 2) << program;
     }
@@ -100,7 +83,7 @@ TEST(SmallPrograms, PrintAndWriteTheirFigures)
 
 TEST(RecordWorlds, WritesWhatCanBeReplayed)
 {
-    const ResultFile file;
+    const ScratchFile file;
     const Outcome recorded = run(RECORD_WORLDS, "nested 4 --ticks 5 --output " + file.path());
     ASSERT_EQ(recorded.status, 0) << recorded.output;
     const nlohmann::json first_events = nlohmann::json::parse(recorded.output).at("first_events");

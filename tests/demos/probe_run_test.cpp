@@ -2,12 +2,12 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "demos/haptic/options.h"
 #include "demos/haptic/probe_scenes.h"
 #include "demos/haptic/run_summary.h"
 #include "tests/support/program.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::demo
 {
@@ -16,14 +16,7 @@ namespace
 class ProbeRun : public testing::Test
 {
 protected:
-    ProbeRun() : folder_(std::filesystem::temp_directory_path() / ("probe_run_" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(folder_);
-    }
-
-    ~ProbeRun() override { std::filesystem::remove_all(folder_); }
-
-    std::string file(const char *name) const { return (folder_ / name).string(); }
+    std::string file(const char *name) const { return folder_.path() + "/" + name; }
 
     nlohmann::json results(const std::string &options)
     {
@@ -32,7 +25,7 @@ protected:
         return nlohmann::json::parse(std::ifstream(file("results.json")));
     }
 
-    std::filesystem::path folder_;
+    const ScratchFolder folder_;
 };
 
 TEST_F(ProbeRun, FeelsTheSameInEverySpace)

@@ -11,6 +11,7 @@
 #include "demos/window/palette.h"
 #include "tests/demos/display.h"
 #include "tests/support/program.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::window
 {
@@ -74,24 +75,21 @@ protected:
     /// A picture of a run in simulated time: always the same moment of the same run.
     Picture picture(const std::string &options)
     {
-        const std::string file = (folder_ / "picture.png").string();
+        const std::string file = folder_.path() + "/picture.png";
         outcome_ = run(HAPTIC_DEMO, "--fast --screenshot '" + file + "' " + options);
         EXPECT_EQ(outcome_.status, 0) << outcome_.output;
         EXPECT_TRUE(contains(outcome_.output, "Picture of")) << outcome_.output;
         return Picture(file);
     }
 
-    HapticDemoWindow() : folder_(std::filesystem::temp_directory_path() / ("window_test_" + std::to_string(getpid())))
+    HapticDemoWindow()
     {
-        std::filesystem::create_directories(folder_);
         setenv("DISPLAY", display_.name().c_str(), 1);
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     }
 
-    ~HapticDemoWindow() override { std::filesystem::remove_all(folder_); }
-
     VirtualDisplay display_;
-    std::filesystem::path folder_;
+    const ScratchFolder folder_;
     Outcome outcome_;
 };
 
@@ -118,7 +116,7 @@ TEST_F(HapticDemoWindow, ShowsAnotherScene)
 
 TEST_F(HapticDemoWindow, EndsByItselfWithASummary)
 {
-    const std::string file = (folder_ / "results.json").string();
+    const std::string file = folder_.path() + "/results.json";
     const Outcome outcome = run(HAPTIC_DEMO, "--objects 30 --seconds 0.3 --json '" + file + "'");
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_TRUE(contains(outcome.output, "real-time factor")) << outcome.output;

@@ -32,7 +32,7 @@ def notice_faults():
     place = BROADPHASE + "objects/place.h"
     entry = BROADPHASE + "broadphase.h"
     tick = BROADPHASE + "broadphase.cpp"
-    places = (("broadphase", "Place.*"),)
+    places = (("broadphase", "Place.*:Origin.*"),)
     reports = (("broadphase", "*AnyWorld*:Tick.*"), ("contract", "Notice.*:UnchangedPose.*"))
     yield Fault(
         "tight_box_without_margin", "notices", place,
@@ -393,7 +393,7 @@ def shape_faults():
     yield Fault(
         "lost_travel", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
         "rounds_up * (travels_[id] + move)", "rounds_up * (travels_[id] + 0.5 * move)",
-        (("shapes", "Travel.*"),) + proximity + contacts)
+        proximity + contacts)
     yield Fault(
         "ignored_turn_of_a_shape", "shapes", geoms,
         "return shape.moved_from(before);", "return (shape.centre - before.centre).norm();", contacts)
@@ -491,10 +491,10 @@ def shape_faults():
         "std::min({low, high, until_below})", "std::min(low + 0 * high, until_below)", heightfields)
     yield Fault(
         "last_column_of_a_heightfield_that_repeats", "shapes", SOURCES + "surface/height_grid.cpp",
-        "            column %= size_.columns - 1;\n", "", (("surface", "HeightGrids.*"),) + heightfields)
+        "            column %= size_.columns - 1;\n", "", heightfields)
     yield Fault(
         "pyramid_without_the_last_square", "shapes", SOURCES + "surface/height_grid.cpp",
-        "j < std::min(2 * row + 2, below.rows)", "j < std::min(2 * row + 1, below.rows)", (("surface", "HeightGrids.*"),))
+        "j < std::min(2 * row + 2, below.rows)", "j < std::min(2 * row + 1, below.rows)", heightfields)
     yield Fault(
         "heights_changed_in_place_ignored", "shapes", hulls, "return made.outdated || made.key != key_of(geom);",
         "return (made.outdated && geom->type != dHeightfieldClass) || made.key != key_of(geom);",
@@ -531,7 +531,7 @@ def shape_faults():
     yield Fault(
         "triangles_beside_the_nearest_ignored", "shapes", surface,
         "        reach = gap + shape.radius();\n        return gap > least;", "        reach = gap;\n        return gap > least;",
-        (("shapes", "SurfaceGap.*"),))
+        (("colliders", "*Surfaces*"),))
     yield Fault(
         "capsule_beside_triangles_is_not_blunt", "shapes", surface,
         "other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)\n", "false ? 0\n",
@@ -928,7 +928,7 @@ def haptic_faults():
         "!near_.has(reported.geom);",
         (("haptics", "*ReleasedForceTest.Fades*"),))
     yield Fault(
-        "budget_of_triangles_not_spent", "haptics", slide, "left_ -= most - budget.left();", "", (("haptics", "*SlideBudgetTest.*"),))
+        "budget_of_triangles_not_spent", "haptics", slide, "left_ -= most - budget.left();", "", (("haptics", "*SlideBudgetTest.*:ScrubbingTest.*"),))
     yield Fault(
         "seams_block_friction", "haptics", law, "along += std::max(0.0, entry_of(along, lift, touch)) * touch.normal;", "(void)touch;",
         (("haptics", "*FrictionSeamTest.*"),))

@@ -228,14 +228,6 @@ TEST(LauncherThatWaits, StillIgnoresAfterwardsWhatItsParentIgnored)
     EXPECT_EQ(count_of("report: ", outcome.output), 1) << outcome.output;
 }
 
-// Once, the plugin's check of ODE loaded the preload, which made the plugin check ODE, and the program ended.
-TEST(Statistics, CountASpaceThatTheProgramItselfMakesPredictive)
-{
-    const Outcome outcome = launch("--stats " MEASURING " own");
-    EXPECT_EQ(outcome.status, 0) << outcome.output;
-    EXPECT_TRUE(contains(outcome.output, "hash, predictive by spheres; at most 2 geoms")) << outcome.output;
-}
-
 TEST(Statistics, AreBoundedAndCompleteForAnyNumberOfSpaces)
 {
     const ScratchFile statistics;

@@ -156,11 +156,6 @@ TEST(Preload, RefusesASecondOde)
     EXPECT_TRUE(contains(one_line_refusal(TWO_ODES, OTHER_ODE), "more than one copy"));
 }
 
-TEST(Preload, RefusesAnotherPrecision)
-{
-    EXPECT_TRUE(contains(one_line_refusal(OTHER_PRECISION), "precision"));
-}
-
 // Once, the message was that of the dynamic linker, about an undefined symbol.
 TEST(Preload, RefusesALibraryOfAnotherPrecisionUnderTheSameName)
 {

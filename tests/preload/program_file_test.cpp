@@ -1,13 +1,12 @@
 #include "ode_predictive_space/preload/program_file.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::preload
 {
@@ -26,8 +25,8 @@ TEST(ProgramFile, BrokenFilesDoNoHarm)
 {
     std::ifstream self("/proc/self/exe", std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(self), {}};
-    std::string path = testing::TempDir() + "broken.XXXXXX";
-    ASSERT_GE(mkstemp(path.data()), 0);
+    const ScratchFile file;
+    const std::string &path = file.path();
     for (std::size_t size : {std::size_t(10), std::size_t(64), bytes.size() / 2, bytes.size() - 100})
     {
         std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(size));
@@ -40,7 +39,6 @@ TEST(ProgramFile, BrokenFilesDoNoHarm)
         std::ofstream(path, std::ios::binary).write(changed.data(), static_cast<std::streamsize>(changed.size()));
         EXPECT_FALSE(has_ode_built_in(path.c_str())) << at;
     }
-    unlink(path.c_str());
 }
 } // namespace
 } // namespace ode_predictive_space::preload

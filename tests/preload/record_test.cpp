@@ -86,13 +86,6 @@ TEST(Record, EndsAtItsLimit)
     EXPECT_TRUE(contains(replayed.output, "ended at its limit of bytes")) << replayed.output;
 }
 
-TEST(Record, EndsAtItsLimitInAReportToo)
-{
-    const RecordingFolder folder;
-    EXPECT_EQ(launch("--record-limit 20K --report " + folder.file() + " " LINKED).status, 0);
-    EXPECT_LE(std::filesystem::file_size(folder.file() + "/recording.odehist"), 20u << 10);
-}
-
 TEST(Record, EachProcessHasAFileOfItsOwn)
 {
     const RecordingFolder folder;

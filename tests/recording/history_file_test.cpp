@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/recording/scratch_recording.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {
@@ -51,7 +51,7 @@ private:
 
 TEST(HistoryFile, EndsWithTheLastWholeRecordWhenTheDiskIsFull)
 {
-    const ScratchRecording scratch;
+    const ScratchFile scratch;
     HistoryFile file(scratch.path(), false);
     {
         const LimitOfFiles limit(150);
@@ -69,7 +69,7 @@ TEST(HistoryFile, EndsWithTheLastWholeRecordWhenTheDiskIsFull)
 
 TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
 {
-    const ScratchRecording scratch;
+    const ScratchFile scratch;
     EXPECT_FALSE(HistoryFile(scratch.path(), true).is_open());
     EXPECT_EQ(HistoryFile(scratch.path(), true).error(), EEXIST);
     EXPECT_TRUE(HistoryFile(scratch.path(), false).is_open());
@@ -78,7 +78,7 @@ TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
 // Once, its content was lost, while the first recording continued.
 TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
 {
-    const ScratchRecording scratch;
+    const ScratchFile scratch;
     HistoryFile first(scratch.path(), false);
     EXPECT_TRUE(first.write("a record"));
     EXPECT_EQ(HistoryFile(scratch.path(), false).error(), EBUSY);

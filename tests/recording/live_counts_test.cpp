@@ -12,7 +12,7 @@
 #include "ode_predictive_space/recording/recording.h"
 #include "ode_predictive_space/recording/stage.h"
 #include "tests/contract/support/ode_test.h"
-#include "tests/recording/scratch_recording.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {
@@ -58,7 +58,7 @@ Collisions in_replay(const std::string &file, SpaceKind kind)
 class Recorded : public OdeTest, public testing::WithParamInterface<const char *>
 {
 protected:
-    ScratchRecording file_;
+    ScratchFile file_;
 };
 
 TEST_P(Recorded, PairsByShapeHaveTheirContacts)

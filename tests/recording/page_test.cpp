@@ -20,15 +20,6 @@ std::size_t count_of(const std::string &part, const std::string &text)
     return count;
 }
 
-TEST(Page, DrawsLinesAndDots)
-{
-    const std::string text =
-        html({"t", "", {{"plot", "x", "y", {{"a", {{0, 0}, {1, 2}}}, {"b", {{1, 1}}, Curve::Style::dots}}}}});
-    EXPECT_EQ(count_of("<svg", text), 1u);
-    EXPECT_EQ(count_of("points=\"70.0,255.0 790.0,10.0 \"", text), 1u) << "from corner to corner: " << text;
-    EXPECT_EQ(count_of("<circle cx=\"790.0\" cy=\"132.5\"", text), 1u) << text;
-}
-
 TEST(Page, LeavesOutWhatHasNoPoints)
 {
     const double none = std::numeric_limits<double>::quiet_NaN();

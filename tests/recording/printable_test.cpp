@@ -12,14 +12,6 @@ TEST(Printable, TextsOfUtf8StayAsTheyAre)
         EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, ControlCharactersAreEscaped)
-{
-    EXPECT_EQ(printable("\x1b[31m"), "\\x1b[31m");
-    EXPECT_EQ(printable("a\nb\tc\rd\x7f"), "a\\x0ab\\x09c\\x0dd\\x7f");
-    EXPECT_EQ(printable(std::string("\0b", 2)), "\\x00b");
-    EXPECT_EQ(printable("\u0080\u009f"), "\\xc2\\x80\\xc2\\x9f") << "the control characters beyond ASCII";
-}
-
 TEST(Printable, BytesThatAreNoCharacterAreEscaped)
 {
     EXPECT_EQ(printable("\x9b"

@@ -12,7 +12,7 @@
 #include "ode_predictive_space/recording/recorder.h"
 #include "ode_predictive_space/recording/recording.h"
 #include "ode_predictive_space/recording/space_kind.h"
-#include "tests/recording/scratch_recording.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {
@@ -63,7 +63,7 @@ private:
         ++call.pairs;
     }
 
-    ScratchRecording file_;
+    ScratchFile file_;
     std::unique_ptr<Recorder> recorder_;
 };
 

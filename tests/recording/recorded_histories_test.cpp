@@ -54,7 +54,7 @@ Operation recordable(Operation operation)
 
 Recording recorded(const ode_predictive_space::History &history)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     {
         Universe universe(ode_predictive_space::SpaceKind::predictive, history);
         EXPECT_EQ(dPredictiveSpaceRecord(universe.outermost(), file.path().c_str(), 0), 1);
@@ -108,7 +108,7 @@ TEST_F(RecordedHistory, OfAGeomThatGoesToAnotherBodyAtTheSameOffset)
 
 TEST_F(RecordedHistory, OfASpaceDeepInANest)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID outermost = dPredictiveSpaceCreate(nullptr), outer = dPredictiveSpaceCreate(outermost),
                    inner = dPredictiveSpaceCreate(outer);
     dCreateSphere(inner, 1);

@@ -158,7 +158,7 @@ TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
     balls_in(space);
     for (const bool is_substitute : {false, true})
     {
-        const ScratchRecording file;
+        const ScratchFile file;
         Recorder recorder(HistoryFile(file.path(), false), 1 << 24, "a test", [=](dSpaceID) { return is_substitute; });
         recorder.begin_collide(space).end();
         recorder.close();
@@ -170,7 +170,7 @@ TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
 
 TEST_F(RecorderTest, ASpaceThatIsNotRecordedAnyMoreIsNotWatchedEither)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     const std::vector<dGeomID> balls = balls_in(space);
     const auto functions = [&] { return *reinterpret_cast<void **>(space); };

@@ -194,50 +194,6 @@ TEST_F(RecorderTest, SpacesComeBackWithTheirLevels)
     dSpaceDestroy(outer);
 }
 
-TEST_F(RecorderTest, GeomsComeAndGoAndChangeTheirSpace)
-{
-    const dSpaceID outer = dHashSpaceCreate(nullptr), inner = dSimpleSpaceCreate(outer);
-    std::vector<dGeomID> balls;
-    for (int i = 0; i < 20; ++i)
-    {
-        balls.push_back(dCreateSphere(i % 2 ? inner : outer, 1));
-        dGeomSetPosition(balls.back(), dReal(0.7) * static_cast<dReal>(i), 0, 0);
-    }
-    Recorded recorded;
-    recorded.collide(outer);
-    for (std::size_t i = 0; i < 5; ++i)
-    {
-        dGeomDestroy(balls[3 * i]);
-        dSpaceRemove(dGeomGetSpace(balls[3 * i + 1]), balls[3 * i + 1]);
-        dSpaceAdd(inner, balls[3 * i + 1]);
-        recorded.collide(outer);
-        recorded.ask(reinterpret_cast<dGeomID>(inner), balls[3 * i + 1]);
-        balls[3 * i] = dCreateCapsule(i % 2 ? outer : inner, 1, 1);
-        recorded.collide(outer);
-    }
-    expect_pairs_agree(recorded.end());
-    dSpaceDestroy(outer);
-}
-
-TEST_F(RecorderTest, ProbesOutsideOfSpacesAreRecorded)
-{
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    for (int i = 0; i < 30; ++i)
-        dGeomSetPosition(dCreateBox(space, 1, 1, 1), dReal(0.9) * static_cast<dReal>(i), 0, 0);
-    const dGeomID probe = dCreateSphere(nullptr, 2);
-    Recorded recorded;
-    int pairs = 0;
-    for (int i = 0; i < 10; ++i)
-    {
-        dGeomSetPosition(probe, dReal(2 * i), 0, 0);
-        pairs += recorded.ask(probe, reinterpret_cast<dGeomID>(space));
-    }
-    EXPECT_GT(pairs, 10);
-    expect_pairs_agree(recorded.end());
-    dGeomDestroy(probe);
-    dSpaceDestroy(space);
-}
-
 // ODE sends no notice when a geom outside of all spaces is destroyed. An object of another class may get its address.
 TEST_F(RecorderTest, ASpaceMayStandWhereAProbeWas)
 {

@@ -11,33 +11,13 @@
 #include "tests/faults/allocation_faults.h"
 #include "tests/recording/recorded.h"
 #include "tests/recording/recorder_fixture.h"
-#include "tests/recording/scratch_recording.h"
 #include "tests/support/effort.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {
 namespace
 {
-TEST_F(RecorderTest, TheRecordingEndsAtItsLimitWithAWholeTick)
-{
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const dGeomID ball = dCreateSphere(space, 1);
-    dCreateSphere(space, 1);
-    Recorded recorded(3000);
-    for (int i = 0; i < 100; ++i)
-    {
-        dGeomSetPosition(ball, dReal(0.1) * static_cast<dReal>(i), 0, 0);
-        recorded.collide(space);
-    }
-    EXPECT_TRUE(recorded.recorder().is_over());
-    const Recording recording = recorded.end();
-    EXPECT_TRUE(recording.reached_limit());
-    EXPECT_LE(recording.bytes(), 3000u);
-    EXPECT_GT(recording.events().size(), 5u);
-    EXPECT_LT(recording.events().size(), 100u);
-    dSpaceDestroy(space);
-}
-
 // All limits within the size of a tick: there is always room for the end, and for the pairs of a collide that has begun.
 TEST_F(RecorderTest, NoLimitIsExceeded)
 {
@@ -111,7 +91,7 @@ TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
 
 TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr), twin = dPredictiveSpaceCreate(nullptr);
     std::vector<std::array<dGeomID, 2>> geoms;
     for (int i = 0; i < 40; ++i)
@@ -140,21 +120,10 @@ TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
     dSpaceDestroy(twin);
 }
 
-TEST_F(RecorderTest, ADestroyedSpaceEndsItsRecording)
-{
-    const ScratchRecording file;
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    dCreateSphere(space, 1);
-    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
-    dSpaceCollide(space, nullptr, ignore);
-    dSpaceDestroy(space);
-    EXPECT_TRUE(Recording::read(file.path()).has_end());
-}
-
 // Once, the next collide ended the program.
 TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
 {
-    const ScratchRecording file;
+    const ScratchFile file;
     const dSpaceID space = dPredictiveSpaceCreate(nullptr), other = dPredictiveSpaceCreate(nullptr);
     dCreateSphere(space, 1);
     ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);

@@ -11,7 +11,7 @@
 #include <ode/ode.h>
 
 #include "ode_predictive_space/recording/recording.h"
-#include "tests/recording/scratch_recording.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {

@@ -10,8 +10,8 @@
 #include <ode/common.h>
 
 #include "ode_predictive_space/recording/format.h"
-#include "tests/recording/scratch_recording.h"
 #include "tests/support/program.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::recording
 {
@@ -52,7 +52,7 @@ std::string bytes_of(const std::string &path)
 
 TEST(ReplayProgram, WritesItsFiguresAsJson)
 {
-    const ScratchRecording figures;
+    const ScratchFile figures;
     const Outcome outcome = run(REPLAYER, "--pairs --space box --space sap --json " + figures.path() + " " + nested);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     const std::string json = bytes_of(figures.path());
@@ -70,13 +70,10 @@ TEST(ReplayProgram, RefusesEventsThatItCannotChoose)
 
 std::string page_about(const std::string &recording)
 {
-    std::string folder = testing::TempDir() + "replay_page.XXXXXX";
-    EXPECT_NE(mkdtemp(folder.data()), nullptr);
-    const Outcome outcome = run(TOOL, "report " + recording + " " + folder);
+    const ScratchFolder folder;
+    const Outcome outcome = run(TOOL, "report " + recording + " " + folder.path());
     EXPECT_EQ(outcome.status, 0) << outcome.output;
-    const std::string page = bytes_of(folder + "/index.html");
-    std::filesystem::remove_all(folder);
-    return page;
+    return bytes_of(folder.path() + "/index.html");
 }
 
 // The first record is the note, which is shorter than 256 bytes.
@@ -89,7 +86,7 @@ TEST(ReplayProgram, RefusesABrokenFileWithItsOffsetAndNothingElse)
 {
     std::string bytes = bytes_of(nested);
     bytes[second_record(bytes) + 4] = 77; // no kind of record
-    const ScratchRecording broken;
+    const ScratchFile broken;
     std::ofstream(broken.path(), std::ios::binary) << bytes;
     const Outcome outcome = run(REPLAYER, broken.path());
     EXPECT_EQ(outcome.status, 2);
@@ -101,7 +98,7 @@ TEST(ReplayProgram, SaysOfAFileWithoutAWholeRecordThatItIsNothing)
 {
     for (const std::size_t size : {std::size_t{0}, std::size_t{5}, std::size_t{20}})
     {
-        const ScratchRecording cut;
+        const ScratchFile cut;
         std::ofstream(cut.path(), std::ios::binary) << bytes_of(nested).substr(0, size);
         const Outcome outcome = run(REPLAYER, cut.path());
         EXPECT_EQ(outcome.status, 2);
@@ -118,7 +115,7 @@ TEST(ReplayProgram, ReplaysARecordingThatIsCutAndSaysWhere)
     const std::string bytes = bytes_of(nested);
     const Outcome whole = run(REPLAYER, "--pairs --space box " + nested);
     EXPECT_TRUE(contains(whole.output, "The recording is whole.")) << whole.output;
-    const ScratchRecording cut;
+    const ScratchFile cut;
     std::ofstream(cut.path(), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
     const Outcome outcome = run(REPLAYER, "--pairs --space box " + cut.path());
     EXPECT_EQ(outcome.status, 0) << outcome.output;
@@ -138,7 +135,7 @@ TEST(ReplayProgram, PrintsWhatAFileSuppliesWithoutControlCharacters)
     const std::string bytes = bytes_of(nested);
     const std::string note = "\x1b[31mred\x1b[0m\nof another line \xc2\xb5";
     const std::string record = std::string(1, static_cast<char>(note.size())) + std::string("\0\0\0\1", 4) + note;
-    const ScratchRecording file;
+    const ScratchFile file;
     std::ofstream(file.path(), std::ios::binary)
         << bytes.substr(0, header_size) + record + bytes.substr(second_record(bytes));
     const Outcome outcome = run(REPLAYER, "--pairs --space box " + file.path());

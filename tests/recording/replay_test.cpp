@@ -11,7 +11,6 @@
 
 #include <ode/ode.h>
 
-#include "ode_predictive_space/recording/answer.h"
 #include "ode_predictive_space/recording/check.h"
 #include "ode_predictive_space/recording/child.h"
 #include "tests/contract/support/geom_zoo.h"
@@ -177,17 +176,6 @@ TEST_F(Replay, OnlyOdesOwnSpacesMayHaveMoreOfWhatHasNoBounds)
         EXPECT_FALSE(compare(recording, kind, other, simple).agrees) << name_of(kind) << ": of what has bounds";
         EXPECT_TRUE(compare(recording, kind, simple, simple).agrees) << name_of(kind);
     }
-}
-
-TEST_F(Replay, KnowsTheProgramsOwnKindOfSpace)
-{
-    EXPECT_EQ(own_kind(collided(1).state_of_first_space()), SpaceKind::hash);
-    const dSpaceID other = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
-    Recorded recorded;
-    recorded.ask(reinterpret_cast<dGeomID>(space_), reinterpret_cast<dGeomID>(other));
-    recorded.collide(other);
-    EXPECT_EQ(own_kind(recorded.end().state_of_first_space()), SpaceKind::sap) << "the first that is collided";
-    dSpaceDestroy(other);
 }
 
 TEST_F(Replay, SaysWhyAChildDidNotGetToItsEnd)

@@ -1,13 +1,12 @@
 #include "demos/haptic/comparison_report.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/support/program.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::worlds
 {
@@ -52,13 +51,12 @@ TEST(HapticDemo, FailsWhenContactsAreLost)
 
 TEST(HapticDemo, WritesItsResultsForOtherPrograms)
 {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "haptic_demo_test_results.json";
+    const ScratchFile file;
     const Outcome outcome = run(HAPTIC_DEMO, "--objects 30 --seconds 0.2 --seed 7 --headless --space predictive,hash "
                                              "--json '" +
-                                                 file.string() + "'");
+                                                 file.path() + "'");
     ASSERT_EQ(outcome.status, 0) << outcome.output;
-    const nlohmann::json results = nlohmann::json::parse(std::ifstream(file));
-    std::filesystem::remove(file);
+    const nlohmann::json results = nlohmann::json::parse(file.text());
 
     EXPECT_TRUE(results.at("same_pairs").get<bool>());
     EXPECT_TRUE(results.at("same_contacts").get<bool>());

@@ -1,6 +1,7 @@
 // All worlds: the same motion in every space, the pairs of brute force, and their common promises.
 
 #include "demos/runs/world_run.h"
+#include "tests/support/overlap.h"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -51,22 +52,6 @@ std::vector<std::string> names_of(const std::vector<Group> &groups)
             names.push_back(name);
     }
     return names;
-}
-
-bool may_collide(dGeomID first, dGeomID second)
-{
-    const dBodyID body = dGeomGetBody(first);
-    return (body == nullptr || body != dGeomGetBody(second)) &&
-           ((dGeomGetCategoryBits(first) & dGeomGetCollideBits(second)) != 0 ||
-            (dGeomGetCategoryBits(second) & dGeomGetCollideBits(first)) != 0);
-}
-
-bool boxes_overlap(dGeomID first, dGeomID second)
-{
-    dReal a[6], b[6];
-    dGeomGetAABB(first, a);
-    dGeomGetAABB(second, b);
-    return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5];
 }
 
 /// Two geoms in the same nested space of a robot are not tested.

@@ -6,6 +6,8 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
+#include "tests/support/overlap.h"
+
 namespace ode_predictive_space
 {
 namespace
@@ -26,14 +28,6 @@ bool touch(dGeomID one, dGeomID other)
     std::array<dContactGeom, 4> contacts;
     // A fixed order makes the results comparable.
     return dCollide(std::min(one, other), std::max(one, other), 4, contacts.data(), sizeof contacts[0]) > 0;
-}
-
-bool boxes_overlap(dGeomID one, dGeomID other)
-{
-    dReal a[6], b[6];
-    dGeomGetAABB(one, a);
-    dGeomGetAABB(other, b);
-    return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
 }
 
 bool touch_within_box(dGeomID ray, dGeomID geom)
@@ -365,10 +359,7 @@ ShapeHistory::Collision ShapeHistory::collide()
 
 void ShapeHistory::compare(dGeomID one, dGeomID other, Truth &truth)
 {
-    const bool same_body = dGeomGetBody(one) && dGeomGetBody(one) == dGeomGetBody(other);
-    const bool bits = (dGeomGetCategoryBits(one) & dGeomGetCollideBits(other)) |
-                      (dGeomGetCategoryBits(other) & dGeomGetCollideBits(one));
-    if (!dGeomIsEnabled(one) || same_body || !bits || !boxes_overlap(one, other))
+    if (!dGeomIsEnabled(one) || !may_collide(one, other) || !boxes_overlap(one, other))
         return;
     ++truth.overlapping;
     if (touch(one, other))

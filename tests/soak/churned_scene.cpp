@@ -1,5 +1,7 @@
 #include "tests/soak/churned_scene.h"
 
+#include "tests/support/overlap.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -18,6 +20,26 @@ constexpr double largest_circle = 0.5; // metres
 constexpr double smallest_size = 0.02; // metres
 constexpr double largest_size = 0.2;   // metres
 
+/// Two geoms, in the order of their numbers.
+struct GeomPair
+{
+    IndexPair numbers;
+    dGeomID first, second;
+};
+
+void add_if_near(dGeomID one, dGeomID other, std::vector<GeomPair> &pairs)
+{
+    if (!may_collide(one, other) || !boxes_overlap(one, other))
+    {
+        return;
+    }
+    if (geom_index(other) < geom_index(one))
+    {
+        std::swap(one, other);
+    }
+    pairs.push_back({{geom_index(one), geom_index(other)}, one, other});
+}
+
 std::string text_of(const char *what, const IndexPair &pair)
 {
     std::ostringstream text;
@@ -26,8 +48,10 @@ std::string text_of(const char *what, const IndexPair &pair)
 }
 
 /// The pairs that are in one list only, as text. With the shape test, an overlapping pair without contacts may be left out.
-std::string differences(const std::vector<GeomPair> &expected, const std::vector<IndexPair> &reported, bool by_shapes)
+std::string differences(std::vector<GeomPair> expected, const std::vector<IndexPair> &reported, bool by_shapes)
 {
+    std::sort(expected.begin(), expected.end(),
+              [](const GeomPair &a, const GeomPair &b) { return a.numbers < b.numbers; });
     std::string text;
     auto next = reported.begin();
     for (const GeomPair &pair : expected)
@@ -266,7 +290,21 @@ std::vector<dGeomID> ChurnedScene::geoms_inside() const
 std::string ChurnedScene::wrong_pairs() const
 {
     const std::vector<dGeomID> geoms = geoms_inside();
-    return differences(overlapping_pairs(geoms), pairs_, by_shapes_) +
-           differences(pairs_of_queries(scene_->queries(), geoms), answers_, false);
+    std::vector<GeomPair> pairs, answers;
+    for (std::size_t i = 0; i < geoms.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            add_if_near(geoms[i], geoms[j], pairs);
+        }
+    }
+    for (const dGeomID query : scene_->queries())
+    {
+        for (const dGeomID geom : geoms)
+        {
+            add_if_near(query, geom, answers);
+        }
+    }
+    return differences(pairs, pairs_, by_shapes_) + differences(answers, answers_, false);
 }
 } // namespace ode_predictive_space::soak

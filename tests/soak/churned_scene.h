@@ -4,9 +4,9 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
 
 #include "demos/runs/spaces.h"
+#include "demos/worlds/pair_list.h"
 #include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/device/random.h"
-#include "tests/soak/pair_oracle.h"
 
 #include <memory>
 #include <vector>
@@ -28,7 +28,7 @@ public:
 
     void tick();
 
-    /// Compares the report of the last tick with the oracle. @return what is wrong, or an empty text.
+    /// Compares the report of the last tick with a comparison of all geoms. @return what is wrong, or an empty text.
     std::string wrong_pairs() const;
 
     dSpaceID space() const { return space_.get(); }

@@ -101,7 +101,7 @@ void sample(Quarter &quarter, const ChurnedScene &scene)
     quarter.waiting += static_cast<double>(stats.scheduled);
 }
 
-/// The oracle compares all pairs of geoms, so with many geoms it is used more rarely.
+/// All pairs of geoms are compared, so with many geoms this is done more rarely.
 int ticks_per_comparison(const Case &one)
 {
     return one.objects < 1000 ? 97 : 997;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include <ode_predictive_space/predictive_space.h>
@@ -121,43 +120,6 @@ TEST_F(PredictiveSpace, DeviationsAreFixedAndSetFree)
         EXPECT_EQ(dPredictiveSpaceGetDeviation(space, dPredictiveRoleEnvironment, &a, &b, &c), 1) << fixed;
         EXPECT_EQ(std::make_tuple(a, b, c), std::make_tuple(dReal(fixed == 0), dReal(fixed == 1), dReal(fixed == 2)));
     }
-}
-
-TEST_F(PredictiveSpace, EverySettingReportsTheSamePairs)
-{
-    std::vector<std::vector<Pairs>> logs;
-    for (int setting = 0; setting < 8; ++setting)
-    {
-        Scenario each(SpaceKind::predictive);
-        if (setting == 1)
-            dPredictiveSpaceSetHorizon(each.space(), 1, 1);
-        if (setting == 2)
-            dPredictiveSpaceSetHorizon(each.space(), 1000000, 1000000);
-        if (setting == 3)
-            dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, 1e-12, 0, 0);
-        if (setting == 4)
-            dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, 100, 10, 1);
-        constexpr dReal most = std::numeric_limits<dReal>::max();
-        if (setting == 5)
-            dPredictiveSpaceSetDeviation(each.space(), dPredictiveRoleEnvironment, most, most, most);
-        for (int i = 0; i < 30; ++i)
-        {
-            dGeomID geom = each.sphere(0.5, 2 * (i % 6), 2 * (i / 6), 0);
-            each.body(geom, 0.5 * (i % 3 - 1), 0.5 * (i % 5 - 2), 0.01 * i);
-            if (setting == 6)
-                dPredictiveSpaceSetGeomRole(each.space(), geom, dPredictiveRoleInteractive);
-        }
-        for (int tick = 0; tick < 400; ++tick)
-        {
-            each.step(0.01);
-            if (setting == 7 && tick % 50 == 0)
-                dPredictiveSpaceSetHorizon(each.space(), 1 + tick, 1000);
-            each.tick();
-        }
-        logs.push_back(each.log());
-    }
-    for (const auto &log : logs)
-        EXPECT_EQ(log, logs.front()) << "setting " << &log - logs.data();
 }
 
 TEST_F(PredictiveSpace, AnInteractivePlaneMovesAmongNewGeoms)
@@ -299,31 +261,6 @@ TEST_F(PredictiveSpace, CalmMotionIsPredictedNotRepeated)
     EXPECT_LT(after.repredictions - before.repredictions, 100u * 900u / 10);
     EXPECT_LT(after.violations - before.violations, 900u);
     EXPECT_EQ(after.scans, before.scans);
-}
-
-TEST_F(PredictiveSpace, TheMemoryOfDestroyedGeomsIsGivenBack)
-{
-    const unsigned long empty = stats().bytes;
-    for (int time = 0; time < 2; ++time)
-    {
-        std::vector<dGeomID> geoms;
-        for (int i = 0; i < 50000; ++i)
-        {
-            geoms.push_back(dCreateSphere(space, 0.6));
-            dGeomSetPosition(geoms.back(), i % 40, i / 40 % 40, i / 1600);
-        }
-        for (int tick = 0; tick < 3; ++tick)
-        {
-            dGeomSetPosition(geoms[0], 0.01 * tick, 0, 0);
-            EXPECT_GT(collide(space).size(), 100000u);
-        }
-        EXPECT_GT(stats().bytes, 100u * 50000u);
-        for (dGeomID geom : geoms)
-            dGeomDestroy(geom);
-        EXPECT_LT(stats().bytes, empty + 64 * 1024);
-        EXPECT_TRUE(collide(space).empty());
-        EXPECT_LT(stats().bytes, empty + 64 * 1024);
-    }
 }
 } // namespace
 } // namespace ode_predictive_space

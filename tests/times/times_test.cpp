@@ -104,39 +104,6 @@ TEST_F(Times, OfAGeomThatTheProgramMovesAreNeverLate)
         }
 }
 
-TEST_F(Times, OfABoxThatTheProgramTurnsAreNeverLate)
-{
-    fill(20);
-    const dGeomID one = scene.numbered(dCreateBox(space, 2, 0.02, 0.02)), other = scene.sphere(0.05, 0, 0.9, 0);
-    expect_honest(answers_until_they_meet(one, other, 0,
-                                          [&](int tick) {
-                                              dMatrix3 R;
-                                              dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.005) * static_cast<dReal>(tick));
-                                              dGeomSetRotation(one, R);
-                                          }),
-                  REAL(0.4));
-}
-
-TEST_F(Times, OfAGeomOnASpinningBodyAreNeverLate)
-{
-    fill(20);
-    for (bool kinematic : {true, false})
-        for (bool offset : {true, false})
-        {
-            const dGeomID one = offset ? scene.sphere(0.05, 0, 0, 0) : scene.numbered(dCreateBox(space, 2, 0.02, 0.02));
-            const dGeomID other = scene.sphere(0.05, 0, 0.9, 0);
-            const dBodyID body = scene.body(one, 0, 0, 0);
-            if (kinematic)
-                dBodySetKinematic(body);
-            if (offset)
-                dGeomSetOffsetPosition(one, 0.9, 0, 0);
-            dBodySetAngularVel(body, 0, 0, 0.5);
-            expect_honest(answers_until_they_meet(one, other, 0, [&](int) { scene.step(0.01); }), REAL(0.4));
-            dGeomDestroy(one);
-            dGeomDestroy(other);
-        }
-}
-
 // The turning of the first tick is less than any slack.
 TEST_F(Times, CountAllTurningUntilTheMeeting)
 {
@@ -149,14 +116,6 @@ TEST_F(Times, CountAllTurningUntilTheMeeting)
                                               dGeomSetRotation(one, R);
                                           }),
                   REAL(0.4), 60);
-}
-
-TEST_F(Times, OfAFallingBodyAreNeverLate)
-{
-    dWorldSetGravity(scene.world(), 0, 0, REAL(-9.81));
-    const dGeomID one = scene.sphere(0.1, 0, 0, 6), other = scene.sphere(0.1, 0, 0, 0);
-    scene.body(one, 0, 0, 3);
-    expect_honest(answers_until_they_meet(one, other, 0, [&](int) { scene.step(0.01); }));
 }
 
 // The fast one is known for a shorter time than the slow one.

@@ -156,37 +156,6 @@ TEST_P(SeveralPlanesTest, AMeshCornerFeelsLikeTwoBoxes)
     EXPECT_LE((of_mesh.back().requested - Vector3(2.05, 0, 2)).norm(), 1e-6) << of_mesh.back().requested.transpose();
 }
 
-TEST_P(SeveralPlanesTest, AUChannelOfOneBodyFeelsLikeThreeBoxes)
-{
-    const Vector3 sides[] = {{0.4, 0.4, 0.2}, {0.2, 0.4, 0.4}, {0.2, 0.4, 0.4}};
-    const Vector3 places[] = {{0, 0, -0.1}, {-0.109, 0, 0.2}, {0.109, 0, 0.2}}; // the gap is 18 mm, less than the probe
-    const auto path = [](double t) {
-        return t < 0.5 ? between({0, 0, 0.45}, {0, 0, radius - 0.003}, 0.1, 0.3, t)
-                       : between({0, 0, radius - 0.003}, {0.002, 0.03, radius - 0.004}, 0.5, 0.3, t);
-    };
-    std::vector<dGeomID> geoms;
-    const auto add_boxes = [&] {
-        geoms.clear();
-        for (int i = 0; i < 3; ++i)
-            geoms.push_back(
-                world_.add_box(sides[i], places[i] + Vector3(i == 1 ? -0.002 : (i == 2 ? 0.002 : 0), 0, 0)));
-    };
-    add_boxes();
-    const Samples of_boxes = run(path, 1);
-    const dBodyID body = world_.add_body({0, 0, 0}, 1e9);
-    dBodySetKinematic(body);
-    for (const dGeomID geom : geoms)
-    {
-        const dReal *place = dGeomGetPosition(geom);
-        const Vector3 offset(place[0], place[1], place[2]);
-        dGeomSetBody(geom, body);
-        dGeomSetOffsetPosition(geom, offset.x(), offset.y(), offset.z());
-    }
-    clock_.advance(1);
-    const Samples of_body = run(path, 1);
-    expect_equal(of_boxes, of_body, 1e-6);
-}
-
 TEST_P(SeveralPlanesTest, AWallOfOneBodyDoesNotTakeTheFloorAway)
 {
     const dBodyID body = world_.add_body({0, 0, 0}, 1e9);

@@ -22,7 +22,7 @@ namespace ode_predictive_space::haptics
 {
 constexpr double k = 500; // N/m
 
-/// The parameters: whether the law is the proxy's, and whether the loop has two threads.
+/// The parameters: whether the law is the proxy's, and whether the loop has two threads. With two, the space tests shapes.
 class ContactTest : public testing::TestWithParam<std::tuple<bool, bool>>
 {
 protected:
@@ -67,13 +67,8 @@ protected:
             allocated = allocation_count() - allocated;
             samples.push_back({tick.time, tick.tool.position, tick.requested, proxy->proxy(), allocated});
         });
-        LoopSettings settings;
-        settings.decoupled = decoupled();
+        LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate_);
         settings.rate = decoupled() ? 4000 : 1000;
-        settings.physics_rate = physics_rate_;
-        settings.duration = duration;
-        settings.ask_for_priority = false;
-        settings.clock = &clock_;
         HapticLoop loop(probe, settings);
         loop.run({[&] { world_.collide(probe); },
                   [&](double dt) {
@@ -86,7 +81,7 @@ protected:
     }
 
     const OdeUse ode_;
-    ProbeWorld world_;
+    ProbeWorld world_{decoupled() ? SpaceChoice::predictive_by_shape : SpaceChoice::predictive};
     SimulatedClock clock_;
     double friction_ = 0;
     double physics_rate_ = 1000;                 ///< Hz; of the scene, in two threads

@@ -7,64 +7,30 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-class GeomContact : public testing::Test
+TEST(GeomContact, DepthFollowsTheToolAlongTheNormal)
 {
-protected:
-    NearbyGeom contact(double depth, const Vector3 &normal = Vector3::UnitZ()) const
-    {
-        dContactGeom found = {};
-        found.pos[2] = 0.999;
-        found.depth = depth;
-        for (int axis = 0; axis < 3; ++axis)
-            found.normal[axis] = normal.normalized()[axis];
-        return NearbyGeom::at_contact(box_, found, tool_);
-    }
-
-    const OdeUse ode_;
-    ProbeWorld world_;
-    const dGeomID box_ = world_.add_box({1, 1, 1}, {0.2, 0.3, 0.5});
-    const Vector3 tool_{0, 0, 1};
-};
-
-TEST_F(GeomContact, AtItsOwnPlaceAndTimeItIsWhatItWasMadeOf)
-{
-    const Touch touch = contact(0.002).touch_at(tool_);
-    EXPECT_NEAR(touch.depth, 0.002, 1e-15);
-    EXPECT_LE((touch.point - Vector3(0, 0, 0.999)).norm(), 1e-15);
-    EXPECT_EQ(touch.object, object_of(box_));
-    EXPECT_FALSE(touch.from_entry_side);
-}
-
-TEST_F(GeomContact, DepthFollowsTheToolAlongTheNormal)
-{
-    const NearbyGeom wall = contact(0.002, {1, 0, 1});
-    const Touch deeper = wall.touch_at(tool_ + Vector3(-0.001, 0.7, -0.001));
+    const OdeUse ode;
+    ProbeWorld world;
+    const Vector3 tool(0, 0, 1);
+    dContactGeom found = {};
+    found.pos[2] = 0.999;
+    found.depth = 0.002;
+    found.normal[0] = found.normal[2] = std::sqrt(0.5);
+    const NearbyGeom wall = NearbyGeom::at_contact(world.add_box({1, 1, 1}, {0.2, 0.3, 0.5}), found, tool);
+    const Touch deeper = wall.touch_at(tool + Vector3(-0.001, 0.7, -0.001));
     EXPECT_NEAR(deeper.depth, 0.002 + 0.001 * std::sqrt(2), 1e-15);
     EXPECT_NEAR(deeper.point.y(), 0.7, 1e-15) << "the contact goes with the tool along the surface";
-    EXPECT_LT(wall.touch_at(tool_ + Vector3(0.002, 0, 0.001)).depth, 0) << "outside";
+    EXPECT_LT(wall.touch_at(tool + Vector3(0.002, 0, 0.001)).depth, 0) << "outside";
 }
 
-TEST_F(GeomContact, SurfacesMove)
+TEST(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
 {
-    NearbyGeom wall = contact(-0.001); // 1 mm away
-    wall.set_motion({Vector3::Zero(), {0.5, 0, 1}, Vector3::Zero()});
-    EXPECT_LT(wall.later(0.0005).touch_at(tool_).depth, 0);
-    const Touch touch = wall.later(0.003).touch_at(tool_);
-    EXPECT_NEAR(touch.depth, 0.002, 1e-12);
-    EXPECT_NEAR(touch.point.z(), 0.999 + 0.003, 1e-12);
-}
-
-TEST_F(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
-{
+    const OdeUse ode;
     for (const bool proxy_law : {false, true})
     {
         ProbeWorld world;
-        Material properties;
-        properties.stiffness = k;
         RenderSettings rendering;
-        rendering.law = std::make_shared<PenaltyLaw>(properties);
-        if (proxy_law)
-            rendering.law = std::make_shared<ProxyLaw>(properties);
+        rendering.law = make_law(proxy_law, Material{k});
         const dBodyID plate = world.add_body({0, 0, -0.05}, 1);
         dBodySetKinematic(plate);
         dGeomSetBody(world.add_box({1, 1, 0.1}, {0, 0, 0}), plate);
@@ -82,13 +48,7 @@ TEST_F(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
             }
         });
         SimulatedClock clock;
-        LoopSettings settings;
-        settings.decoupled = true;
-        settings.physics_rate = 100;
-        settings.duration = 0.5;
-        settings.ask_for_priority = false;
-        settings.clock = &clock;
-        HapticLoop loop(probe, settings);
+        HapticLoop loop(probe, simulated(clock, 0.5, true, 100));
         loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
         EXPECT_GT(compared, 40);
     }

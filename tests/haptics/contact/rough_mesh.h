@@ -8,29 +8,6 @@
 
 namespace ode_predictive_space::haptics
 {
-/// A sheet about the origin. Each octave of waves is half as long and two thirds as high as the one before, down to a few
-/// cells, so that the sheet has ridges of all sizes and no overhangs.
-/// @param side m. @param cells along each side. @param height m; of the longest wave. @param noise m; of each vertex.
-inline MeshShape rough_sheet(double side, int cells, double height, double noise, unsigned seed)
-{
-    RandomNumbers random(seed);
-    MeshShape shape = sheet_mesh(side, cells);
-    for (double length = side / 4, high = height; length > 3 * side / cells; length /= 2, high *= 2.0 / 3)
-    {
-        for (int wave = 0; wave < 3; ++wave)
-        {
-            const double turn = random.between(0, 2 * M_PI);
-            const double phase = random.between(0, 2 * M_PI);
-            const Vector3 along = 2 * M_PI / length * Vector3(std::cos(turn), std::sin(turn), 0);
-            for (Vector3 &vertex : shape.vertices)
-                vertex.z() += high / 3 * std::sin(along.dot(vertex) + phase);
-        }
-    }
-    for (Vector3 &vertex : shape.vertices)
-        vertex += random.in_cube(noise);
-    return shape;
-}
-
 /// A closed ball of some 4 n^2 triangles about the origin, with ridges and hollows of all sizes.
 /// @param mean m; mean radius. @param rings n, between the poles. @param roughness of the radius. @param noise m; of vertices.
 inline MeshShape rough_ball(double mean, int rings, double roughness, double noise, unsigned seed)

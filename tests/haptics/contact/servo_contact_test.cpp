@@ -77,18 +77,6 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
     EXPECT_GT(touching, 0.4 * servo_rate);
 }
 
-TEST_P(ServoContactTest, ADeviceThatComesBackElsewhereHasCrossedNothing)
-{
-    const OdeMesh mesh(sheet_mesh(0.4, 8));
-    mesh.add_to(world_.space);
-    silent_from_ = 0.4;
-    silent_until_ = 1.2;
-    const auto samples =
-        run([](double t) { return t < 0.8 ? Vector3(0.01, 0.02, 0.015) : Vector3(0.01, 0.02, -0.015); }, 1.5);
-    for (const Sample &sample : samples)
-        ASSERT_TRUE(sample.requested.isZero(0)) << sample.time << ": " << sample.requested.transpose();
-}
-
 TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
 {
     world_.add_box({0.2, 0.4, 0.2}, {-0.1, 0, -0.1}); // its edge is at the origin

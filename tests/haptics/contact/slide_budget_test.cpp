@@ -2,9 +2,7 @@
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "tests/haptics/contact/contact_fixture.h"
-#include "tests/haptics/contact/rough_mesh.h"
 #include "tests/haptics/contact/scrubbing.h"
-#include "tests/support/effort.h"
 
 #include <algorithm>
 
@@ -28,27 +26,6 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Radii, SlideBudgetTest, testing::Values(0.001, 0.003, 0.01),
                          [](const auto &info) { return "Radius" + std::to_string(std::lround(1000 * info.param)); });
-
-TEST_P(SlideBudgetTest, IsKeptInEachTickOverARoughMesh)
-{
-    const OdeMesh mesh(rough_ball(scrubbed_ball, 160, 0.03, 0.0002, 1));
-    mesh.add_to(world_.space);
-    ScriptedDevice device{Scrub(GetParam())};
-    RenderSettings rendering;
-    rendering.law = std::make_shared<ProxyLaw>(Material{k});
-    HapticProbe probe(device, world_.space, GetParam(), rendering);
-    probe.sensor()->prepare_all();
-    std::size_t most = 0;
-    int pressed = 0;
-    probe.set_recorder([&](const RenderedTick &tick) {
-        most = std::max(most, probe.sensor()->tracker()->visited());
-        pressed += tick.requested.norm() > 0.5 ? 1 : 0;
-    });
-    constexpr int ticks = of_cases(16000);
-    world_.run(probe, ticks);
-    EXPECT_LE(most, SphereSlide::most_triangles);
-    EXPECT_GT(pressed, ticks / 4);
-}
 
 /// The meshes are as dense as scans. Sanitizers do not reduce the ticks, so that the hand has time to arrive.
 TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)

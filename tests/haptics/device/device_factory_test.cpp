@@ -6,7 +6,7 @@
 #include "ode_predictive_space/haptics/virtual_device.h"
 
 #include "tests/haptics/support/allocation_count.h"
-#include "tests/haptics/support/temporary_file.h"
+#include "tests/support/scratch.h"
 
 namespace ode_predictive_space::haptics
 {
@@ -63,9 +63,9 @@ TEST(DeviceFactory, OtherSeedsAreOtherHands)
 
 TEST(DeviceFactory, AServoLoopNeedsNoMemory)
 {
-    const TemporaryFile file("0 1 2 3 0 0 0 1\n1 1 3 3 0 0 0 1\n");
+    const ScratchFile file("0 1 2 3 0 0 0 1\n1 1 3 3 0 0 0 1\n");
     for (const std::string &name :
-         {std::string("virtual"), std::string("hand-path"), std::string("mouse"), "replay:" + file.name()})
+         {std::string("virtual"), std::string("hand-path"), std::string("mouse"), "replay:" + file.path()})
     {
         const std::unique_ptr<Device> device = make_device(name);
         device->open();

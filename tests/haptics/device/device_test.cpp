@@ -6,13 +6,6 @@
 
 using namespace ode_predictive_space::haptics;
 
-TEST(DeviceError, SaysWhatIsWrongAndOfWhichKind)
-{
-    const DeviceError error(DeviceFault::missing_library, "OpenHaptics: libHD.so cannot be loaded");
-    EXPECT_EQ(error.fault(), DeviceFault::missing_library);
-    EXPECT_STREQ(error.what(), "OpenHaptics: libHD.so cannot be loaded");
-}
-
 TEST(DeviceError, EveryFaultHasANameOfItsOwn)
 {
     std::set<std::string> names;

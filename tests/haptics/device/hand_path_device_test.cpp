@@ -35,19 +35,5 @@ TEST(HandPathDevice, SaysWhatItCanDo)
     for (int i = 0; i < 20000; ++i)
         ASSERT_TRUE(device.capabilities().workspace.contains(device.read(0.001 * i).position));
 }
-
-TEST(HandPathDevice, BeginsAnewWhenOpenedAgain)
-{
-    HandPathDevice device;
-    device.open();
-    const Vector3 start = device.read(7).position;
-    const Vector3 later = device.read(8).position;
-    EXPECT_NE(start, later);
-    device.close();
-    device.open();
-    EXPECT_EQ(device.read(9).position, start);
-    EXPECT_EQ(device.read(10).position, later);
-}
-
 } // namespace
 } // namespace ode_predictive_space::haptics

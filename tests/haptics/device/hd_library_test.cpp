@@ -69,16 +69,3 @@ TEST(HdLibrary, KnowsANameForEveryError)
     EXPECT_EQ(names.size(), all_codes.size());
     EXPECT_EQ(names.count("unknown error"), 0u);
 }
-
-TEST(HdLibrary, PausesForForcesLosesADeviceFailsOtherwise)
-{
-    for (const std::uint32_t code : all_codes)
-    {
-        const bool is_of_forces = code >= 0x200 && code <= 0x204;
-        const bool is_of_the_device = (code >= 0x300 && code <= 0x304) || code == 0x104;
-        EXPECT_EQ(consequence_of(code), is_of_forces       ? HdConsequence::pause
-                                        : is_of_the_device ? HdConsequence::lost
-                                                           : HdConsequence::failed)
-            << std::hex << code;
-    }
-}

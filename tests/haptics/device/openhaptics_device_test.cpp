@@ -217,11 +217,3 @@ TEST_F(OpenHaptics, WantsToBeOpen)
     EXPECT_FALSE(device.status().open);
     EXPECT_FALSE(device.status().explanation.empty());
 }
-
-TEST_F(OpenHaptics, OpensAnewAfterItWasClosed)
-{
-    device.open();
-    device.close();
-    device.open();
-    EXPECT_NO_THROW(device.read(0));
-}

@@ -28,12 +28,6 @@ DeviceError error_of_connecting()
 }
 } // namespace
 
-TEST(SpnavConnection, TellsTheMousesName)
-{
-    const FakeSpacenavd server;
-    EXPECT_EQ(SpnavConnection().mouse(), "Stand-in Mouse");
-}
-
 TEST(SpnavConnection, WorksWithAnOldServer)
 {
     FakeSpacenavd server(SpacenavdManner::old);

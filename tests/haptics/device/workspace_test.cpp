@@ -161,20 +161,6 @@ TEST(WorkspaceMapping, WhenTheClutchIsLetGoNothingJumps)
     }
 }
 
-TEST(WorkspaceMapping, ManyUsesOfTheClutchAddUpToNoError)
-{
-    RandomNumbers random(9);
-    WorkspaceMapping mapping;
-    for (int use = 0; use < 10000; ++use)
-    {
-        DeviceState device = random_device(random);
-        device.orientation.coeffs() *= 1 + 1e-7; // the error of a device with single precision
-        mapping.clutch(true, device);
-        mapping.clutch(false, device);
-    }
-    EXPECT_NEAR(mapping.to_scene(DeviceState()).orientation.norm(), 1, 1e-12);
-}
-
 TEST(WorkspacePlacement, CoversTheSceneAndIsNoLargerThanItMust)
 {
     RandomNumbers random(10);

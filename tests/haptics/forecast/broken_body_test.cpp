@@ -175,10 +175,7 @@ public:
         body_ = world_.add_moving_box({0.1, 0.1, 0.1}, {2, 0, 1}, 1);
         other_ = world_.add_moving_box({0.1, 0.1, 0.1}, {4, 0, 1}, 1);
         dBodySetLinearVel(other_, 0, 0, 1);
-        settings_.decoupled = decoupled;
-        settings_.clock = &clock_;
-        settings_.duration = 3;
-        settings_.ask_for_priority = false;
+        settings_ = simulated(clock_, 3, decoupled);
         settings_.notice = notices_.sink();
     }
 
@@ -294,11 +291,7 @@ TEST(LoopBody, OfTheToolEndsTheLoopWithOrWithoutAGeom)
         const dBodyID tool =
             has_geom ? world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, 0}, 1) : world.add_body({0, 0, 0}, 1);
         HapticProbe probe(device, tool, {});
-        LoopSettings settings;
-        settings.clock = &clock;
-        settings.duration = 1;
-        settings.ask_for_priority = false;
-        EXPECT_THROW(HapticLoop(probe, settings)
+        EXPECT_THROW(HapticLoop(probe, simulated(clock, 1))
                          .run({[&] { world.collide(probe); },
                                [&](double dt) {
                                    world.step(dt);

@@ -89,12 +89,7 @@ public:
         rendering.law = scenario_.law();
         HapticProbe probe(log, scene_.space, radius, rendering);
         probe.set_recorder([this](const RenderedTick &tick) { note(tick); });
-        LoopSettings settings;
-        settings.decoupled = decoupled_;
-        settings.physics_rate = physics_rate;
-        settings.duration = HandWay::rests + hand_.duration;
-        settings.clock = &clock_;
-        settings.ask_for_priority = false;
+        LoopSettings settings = simulated(clock_, HandWay::rests + hand_.duration, decoupled_, physics_rate);
         settings.notice = [this](const Notice &notice) {
             outcome_.notices += notice.kind == NoticeKind::coupling ? 1 : 0;
         };

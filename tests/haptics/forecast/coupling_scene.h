@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_FORECAST_COUPLING_SCENE_H
 
-#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/support/probe_world.h"
 
 #include <cmath>
@@ -241,8 +240,7 @@ struct CouplingCase
         Material material;
         material.stiffness = stiffness;
         material.friction = friction;
-        return by_proxy ? std::shared_ptr<ForceLaw>(std::make_shared<ProxyLaw>(material))
-                        : std::make_shared<PenaltyLaw>(material);
+        return make_law(by_proxy, material);
     }
 };
 

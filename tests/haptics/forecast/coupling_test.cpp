@@ -123,15 +123,6 @@ TEST(Coupling, ARopeHoldsWhenTheSceneComesLate)
     expect_as_one(ensemble(scenario, Stepper::exact, 100, 0.002), truth, scenario, 100);
 }
 
-TEST(Coupling, AFreeBallLeavesTheHandAtTwiceItsSpeed)
-{
-    for (const double rate : all_rates)
-    {
-        const CoupledRun run(free_balls({0.01}), Vector3::Zero(), Stepper::exact, rate);
-        EXPECT_NEAR(run.scene().speed(), 2 * 0.1, 1e-3) << rate << " Hz";
-    }
-}
-
 TEST_P(LeaningTest, HalfAMinuteIsAsOneThread)
 {
     expect_steady(30);
@@ -161,12 +152,7 @@ TEST(Coupling, AProgramWhoseStepIsNotOdesIsFeltByItsVelocitiesAndItIsTold)
     ScriptedDevice device([&](double) { return Vector3(-0.015, 0, 0); });
     device.open();
     HapticProbe probe(device, scene.space, 0.005, with_stiffness(CouplingCase::stiffness));
-    LoopSettings settings;
-    settings.decoupled = true;
-    settings.physics_rate = 100;
-    settings.duration = 2;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
+    LoopSettings settings = simulated(clock, 2, true, 100);
     settings.notice = notices.sink();
     dJointDestroy(dBodyGetJoint(scene.bodies[0], 0)); // ODE would let it fall, the program does not
     HapticLoop loop(probe, settings);

@@ -6,6 +6,7 @@
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/forecast/coupling_scene.h"
+#include "tests/haptics/support/scripted_device.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,12 +142,7 @@ private:
     static constexpr double tick_length = 0.001; ///< s
     static constexpr double rests = 1;           ///< s; balls come to rest and forces ramp in
 
-    std::shared_ptr<ForceLaw> law() const
-    {
-        const Material material = {stiffness};
-        return scenario_.by_proxy ? std::shared_ptr<ForceLaw>(std::make_shared<ProxyLaw>(material))
-                                  : std::make_shared<PenaltyLaw>(material);
-    }
+    std::shared_ptr<ForceLaw> law() const { return make_law(scenario_.by_proxy, Material{stiffness}); }
 
     /// m; down through the bodies, with some motion aside.
     Vector3 target(double seconds, int hand) const
@@ -226,13 +222,8 @@ private:
 
     void run(HapticProbe &probe)
     {
-        LoopSettings settings;
-        settings.decoupled = scenario_.physics_rate > 0;
-        settings.physics_rate = settings.decoupled ? scenario_.physics_rate : 1000;
-        settings.duration = 2.5;
-        settings.clock = &clock_;
-        settings.ask_for_priority = false;
-        HapticLoop loop(probe, settings);
+        const bool decoupled = scenario_.physics_rate > 0;
+        HapticLoop loop(probe, simulated(clock_, 2.5, decoupled, decoupled ? scenario_.physics_rate : 1000));
         loop.run({[&] { scene_.collide(probe); }, [&](double dt) { step(dt); }});
     }
 

@@ -67,11 +67,7 @@ TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
     HapticProbe probe(device, world.space, radius, settings);
     NoticeList notices;
     SimulatedClock clock;
-    LoopSettings loop_settings;
-    loop_settings.decoupled = true;
-    loop_settings.physics_rate = 200;
-    loop_settings.duration = 5;
-    loop_settings.clock = &clock;
+    LoopSettings loop_settings = simulated(clock, 5, true, 200);
     loop_settings.notice = notices.sink();
     HapticLoop loop(probe, loop_settings);
     const LoopReport report = loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});

@@ -76,21 +76,6 @@ TEST_P(SurfaceLaw, DampingResistsApproachAndNeverPulls)
     EXPECT_EQ(forces[0].norm(), 0);
 }
 
-TEST_P(SurfaceLaw, NeverPullsWhateverItTouches)
-{
-    RandomNumbers random(5);
-    const auto law = make({700, 8, 0});
-    TouchForces forces;
-    for (int tick = 0; tick < 5000; ++tick)
-    {
-        const std::vector<Touch> touches = random.touches(1 + random.below(5));
-        law->reset(); // otherwise the proxy may keep another side than the touch
-        law->forces(random.tool(), touches, dt, forces);
-        for (std::size_t i = 0; i < touches.size(); ++i)
-            EXPECT_GE(forces[i].dot(touches[i].normal), 0);
-    }
-}
-
 TEST_P(SurfaceLaw, FrictionHoldsThenSlipsAtItsLimit)
 {
     Touch floor;
@@ -242,20 +227,6 @@ TEST_P(SurfaceLaw, RefusesPropertiesThatCannotBe)
         EXPECT_THROW(make({500, 0, bad}), std::invalid_argument);
         EXPECT_THROW(make({500, 0, 0, bad}), std::invalid_argument);
     }
-}
-
-TEST_P(SurfaceLaw, TellsWhatStabilityDependsOn)
-{
-    const auto law = make({600, 3, 0.1});
-    EXPECT_EQ(law->material().stiffness, 600);
-    EXPECT_EQ(law->material().damping, 3);
-
-    Touch touch;
-    touch.depth = 0.01;
-    touch.material = Material{400};
-    TouchForces forces;
-    law->forces({}, {touch}, dt, forces);
-    EXPECT_NEAR(forces[0].z(), 4, 1e-12);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -48,16 +48,5 @@ TEST_F(FreeSpaceTest, OnTheHandDoesNotPushTheBodyThatIsTouched)
     EXPECT_NEAR(momentum_of(body).x(), 0, 1e-12);
     EXPECT_NEAR(momentum_of(body).z(), -hand.z(), 1e-9);
 }
-
-TEST_F(FreeSpaceTest, IsFeltWhereNothingIsTouched)
-{
-    ProbeWorld world;
-    ScriptedDevice device(reach({0, 0, 0.03}, {0, 0, 0.005}));
-    RenderSettings settings;
-    settings.law = std::make_shared<Magnet>(0.3);
-    HapticProbe probe(device, world.space, radius, settings);
-    world.run(probe, reach_ticks);
-    EXPECT_NEAR(probe.last_tick().force.x(), 0.3, 1e-9);
-}
 } // namespace
 } // namespace ode_predictive_space::haptics

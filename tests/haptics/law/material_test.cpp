@@ -4,8 +4,6 @@
 
 #include "ode_predictive_space/haptics/contact/material.h"
 #include "ode_predictive_space/haptics/loop.h"
-#include "ode_predictive_space/haptics/penalty_law.h"
-#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/contact/contact_fixture.h"
 #include "tests/haptics/support/constants.h"
 
@@ -57,13 +55,6 @@ protected:
         materials_[right_] = right_one;
     }
 
-    std::shared_ptr<ForceLaw> make_law() const
-    {
-        if (proxy_law())
-            return std::make_shared<ProxyLaw>();
-        return std::make_shared<PenaltyLaw>();
-    }
-
     /// Comes down at `start`, waits, and from 1.5 s on moves along x to `end`. @param speed m/s.
     std::vector<RenderedTick> slide(double start, double end, double speed)
     {
@@ -73,7 +64,7 @@ protected:
             return {start + along * (end - start), 0, radius + 0.005 - down * (0.005 + pressed)};
         });
         RenderSettings rendering;
-        rendering.law = make_law();
+        rendering.law = make_law(proxy_law());
         rendering.notice = notices_.sink();
         HapticProbe probe(device, world_.space, radius, rendering);
         probe.set_materials([this](dGeomID geom) -> std::optional<Material> {
@@ -82,12 +73,8 @@ protected:
         });
         std::vector<RenderedTick> ticks;
         probe.set_recorder([&](const RenderedTick &tick) { ticks.push_back(tick); });
-        LoopSettings settings;
-        settings.decoupled = decoupled();
-        settings.physics_rate = physics_rate;
-        settings.duration = 2.2 + std::abs(end - start) / speed;
-        settings.ask_for_priority = false;
-        settings.clock = &clock_;
+        const double duration = 2.2 + std::abs(end - start) / speed;
+        const LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate);
         HapticLoop(probe, settings).run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
         return ticks;
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/law/rendered_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
@@ -35,24 +34,6 @@ std::vector<Touch> roomy_touches(RandomNumbers &random, int count)
             touch_of(static_cast<std::uintptr_t>(object), normal, random.between(0, normal.dot(free_point))));
     }
     return touches;
-}
-
-TEST(ProxyLaw, OnOnePlaneWithoutFrictionIsThePenaltyLaw)
-{
-    RandomNumbers random(1);
-    for (int i = 0; i < 2000; ++i)
-    {
-        const double stiffness = random.between(0, 3000);
-        Rendered<ProxyLaw> proxy({stiffness, 3, 0});
-        Rendered<PenaltyLaw> penalty({stiffness, 3, 0});
-        const ToolState tool = random.tool();
-        const std::vector<Touch> touches = random.touches(1);
-        TouchForces ours, theirs;
-        proxy.forces(tool, touches, dt, ours);
-        penalty.forces(tool, touches, dt, theirs);
-        EXPECT_EQ(ours[0], theirs[0]);
-        EXPECT_NEAR((proxy.proxy() - tool.position - touches[0].depth * touches[0].normal).norm(), 0, 1e-15);
-    }
 }
 
 TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
@@ -89,22 +70,6 @@ TEST(ProxyLaw, TheProxyIsOutsideOfEverythingAndAsNearAsCanBe)
     }
     for (int carriers = 1; carriers <= 3; ++carriers)
         EXPECT_GT(carriers_seen[carriers], 100) << carriers;
-}
-
-TEST(ProxyLaw, TheOrderOfTouchesDoesNotMatter)
-{
-    RandomNumbers random(3);
-    for (int i = 0; i < 1000; ++i)
-    {
-        Rendered<ProxyLaw> law({1000, 0, 0}), other({1000, 0, 0});
-        std::vector<Touch> touches = roomy_touches(random, 5);
-        TouchForces forces, reversed;
-        law.forces({}, touches, dt, forces);
-        std::reverse(touches.begin(), touches.end());
-        other.forces({}, touches, dt, reversed);
-        for (std::size_t touch = 0; touch < touches.size(); ++touch)
-            EXPECT_NEAR((forces[touch] - reversed[touches.size() - 1 - touch]).norm(), 0, 1e-6);
-    }
 }
 
 TEST(ProxyLaw, InASlitThatIsTooNarrowEachWallPushesAsIfAlone)

@@ -17,13 +17,8 @@ class DecoupledLoopTest : public testing::Test
 protected:
     LoopSettings settings(double rate, double physics_rate, double duration)
     {
-        LoopSettings settings;
-        settings.decoupled = true;
+        LoopSettings settings = simulated(clock_, duration, true, physics_rate);
         settings.rate = rate;
-        settings.physics_rate = physics_rate;
-        settings.duration = duration;
-        settings.clock = &clock_;
-        settings.ask_for_priority = false;
         settings.notice = notices_.sink();
         return settings;
     }

@@ -22,37 +22,6 @@ struct Wide
     }
 };
 
-TEST(Snapshot, HasNothingNewBeforeTheFirstIsPublished)
-{
-    Snapshot<int> snapshot;
-    EXPECT_FALSE(snapshot.take());
-    EXPECT_EQ(snapshot.latest(), 0);
-}
-
-TEST(Snapshot, GivesTheLastOfThoseThatWerePublished)
-{
-    Snapshot<int> snapshot;
-    for (int value = 1; value <= 5; ++value)
-    {
-        snapshot.draft() = value;
-        snapshot.publish();
-    }
-    EXPECT_TRUE(snapshot.take());
-    EXPECT_EQ(snapshot.latest(), 5);
-    EXPECT_FALSE(snapshot.take()) << "it was taken already";
-    EXPECT_EQ(snapshot.latest(), 5);
-}
-
-TEST(Snapshot, ADraftIsNotSeen)
-{
-    Snapshot<int> snapshot;
-    snapshot.draft() = 1;
-    snapshot.publish();
-    snapshot.draft() = 2;
-    EXPECT_TRUE(snapshot.take());
-    EXPECT_EQ(snapshot.latest(), 1);
-}
-
 TEST(Snapshot, BetweenThreadsValuesAreWholeAndNeverGoBack)
 {
     Snapshot<Wide> snapshot;

@@ -94,11 +94,7 @@ TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
     ProbeWorld other;
     dCreatePlane(other.space, 0, 0, 1, 0);
     HapticProbe second(second_log, other.space, radius, usual_rendering());
-    LoopSettings settings;
-    settings.clock = &clock;
-    settings.duration = 3;
-    settings.ask_for_priority = false;
-    settings.decoupled = GetParam();
+    LoopSettings settings = simulated(clock, 3, GetParam());
     settings.notice = notices.sink();
     double stalled_at = 0;
     HapticLoop(first, settings)

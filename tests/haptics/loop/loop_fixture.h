@@ -44,11 +44,7 @@ protected:
 
     LoopSettings settings()
     {
-        LoopSettings settings;
-        settings.decoupled = GetParam();
-        settings.clock = &clock_;
-        settings.duration = 3;
-        settings.ask_for_priority = false;
+        LoopSettings settings = simulated(clock_, 3, GetParam());
         settings.notice = notices_.sink();
         return settings;
     }

@@ -47,21 +47,6 @@ protected:
     DeviceGate gate_;
 };
 
-TEST_F(LoopGuardTest, TellsOfEachStallOnce)
-{
-    LoopGuard guard(clock_, gate_, duties());
-    for (int stall = 1; stall <= 3; ++stall)
-    {
-        guard.beat(clock_.now());
-        gate_.notice_closing();
-        push();
-        EXPECT_EQ(force(), 1);
-        clock_.advance(0.1);
-        EXPECT_EQ(force(), 0);
-        EXPECT_EQ(notices_.count(NoticeKind::guard), stall);
-    }
-}
-
 TEST_F(LoopGuardTest, ADeviceThatTakesNoZeroIsClosedAndToldOf)
 {
     LoopGuard guard(clock_, gate_, duties());

@@ -56,26 +56,6 @@ TEST_P(HapticLoopTest, NoTickWaitsForTheMeshesOfTheSpace)
     EXPECT_EQ(pairs, 0);
 }
 
-TEST_P(HapticLoopTest, TheSameRunTwiceIsTheSame)
-{
-    std::vector<Vector3> forces[2];
-    for (auto &run : forces)
-    {
-        SimulatedClock clock;
-        ProbeWorld world;
-        world.add_moving_box({0.2, 0.2, 0.1}, {0.03, 0, -0.05}, 2);
-        ScriptedDevice device(&press_down);
-        HapticProbe probe(device, world.space, radius, usual_rendering());
-        probe.set_recorder([&](const RenderedTick &tick) { run.push_back(tick.wrench.force); });
-        LoopSettings settings = this->settings();
-        settings.clock = &clock;
-        HapticLoop loop(probe, settings);
-        loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
-    }
-    EXPECT_GT(forces[0].size(), 2900U);
-    EXPECT_TRUE(forces[0] == forces[1]);
-}
-
 TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
 {
     const dGeomID broken = add_broken_geom(world_.space); // reported once a second
@@ -94,18 +74,6 @@ TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
     EXPECT_GE(notices_.count(NoticeKind::contact), 2 * told - 1);
     EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
     dGeomDestroy(broken);
-}
-
-TEST_P(HapticLoopTest, EndsWhenItIsToldTo)
-{
-    make();
-    loop_->run(work([this](double time) {
-        if (time >= pressed_after)
-            loop_->stop();
-    }));
-    EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
-    expect_zero_force_after(pressed_after, clock_.now() + 1);
-    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
 }
 
 TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)

@@ -2,7 +2,6 @@
 
 #include "ode_predictive_space/haptics/loop.h"
 
-#include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/ridges.h"
@@ -221,20 +220,6 @@ TEST_F(LoopThreadsTest, MeshesMayChangeWhileTheServoFeelsThem)
               }});
     dGeomDestroy(geom);
     EXPECT_GT(pressed, 10);
-}
-
-TEST_F(LoopThreadsTest, AnExceptionEndsBothThreads)
-{
-    HapticProbe probe(device_, world_.space, radius, without_ramp());
-    HapticLoop loop(probe, settings(true));
-    EXPECT_THROW(loop.run({[] {},
-                           [&](double) {
-                               if (loop.report().ticks > 20)
-                                   throw std::runtime_error("enough");
-                           }}),
-                 std::runtime_error);
-    EXPECT_EQ(count(NoticeKind::exception), 1);
-    EXPECT_EQ(device_.force, 0);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -75,18 +75,13 @@ TEST_F(MovingBase, InTwoThreadsToo)
         ScriptedDevice device = still_device();
         HapticProbe probe(device, world.space, radius);
         SimulatedClock clock;
-        LoopSettings settings;
-        settings.decoupled = true;
-        settings.physics_rate = physics_rate;
-        settings.duration = 6;
-        settings.clock = &clock;
         double greatest_change = 0;
         double before = 0;
         probe.set_recorder([&](const RenderedTick &tick) {
             greatest_change = std::max(greatest_change, std::abs(tick.force.x() - before));
             before = tick.force.x();
         });
-        HapticLoop loop(probe, settings);
+        HapticLoop loop(probe, simulated(clock, 6, true, physics_rate));
         double seconds = 0;
         SceneWork work;
         work.collide = [&] { world.collide(probe); };
@@ -97,10 +92,8 @@ TEST_F(MovingBase, InTwoThreadsToo)
             probe.renderer().move_base(placed_at(base_at(seconds)), motion);
             world.step(dt);
         };
-        double last = 0;
         loop.run(work);
-        last = before;
-        EXPECT_NEAR(last, -500 * in_wall, 0.01) << physics_rate;
+        EXPECT_NEAR(before, -500 * in_wall, 0.01) << physics_rate;
         EXPECT_LT(greatest_change, 0.05) << physics_rate;
     }
 }

@@ -71,24 +71,6 @@ TEST(Scheduling, ALoopThatIsRefusedRunsAllTheSameAndSaysSo)
     }));
 }
 
-TEST(Scheduling, TextsTellWhatWasGrantedAndTheRemedyForWhatWasNot)
-{
-    SchedulingOutcome outcome;
-    EXPECT_EQ(outcome.text(), "Neither real-time priority nor locked memory was requested.");
-    EXPECT_FALSE(outcome.refused());
-    outcome.asked = true;
-    EXPECT_FALSE(outcome.refused());
-    EXPECT_EQ(outcome.text(), "The servo has real-time priority. Memory is locked.");
-    outcome.priority_error = EPERM;
-    outcome.memory_error = ENOMEM;
-    EXPECT_TRUE(outcome.refused());
-    EXPECT_NE(outcome.text().find("Operation not permitted"), std::string::npos);
-    EXPECT_NE(outcome.text().find("Cannot allocate memory"), std::string::npos);
-    EXPECT_NE(outcome.text().find("rtprio"), std::string::npos);
-    EXPECT_NE(outcome.text().find("memlock"), std::string::npos);
-    EXPECT_LT(outcome.text().size(), Notice().text.size()) << "or a notice would cut it off";
-}
-
 /// kB; from the system's status file.
 long locked_memory()
 {

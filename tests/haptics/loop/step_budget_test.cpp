@@ -59,12 +59,7 @@ int steps_per_period(const CouplingCase &scenario, double part)
     RenderSettings rendering;
     rendering.law = scenario.law();
     HapticProbe probe(device, scene.space, radius, rendering);
-    LoopSettings settings;
-    settings.decoupled = true;
-    settings.physics_rate = rate;
-    settings.duration = 1;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
+    LoopSettings settings = simulated(clock, 1, true, rate);
     settings.notice = notices.sink();
     HapticLoop loop(probe, settings);
     double shortest = 1 / rate;

@@ -111,44 +111,6 @@ TEST_F(HapticProbeTest, NestedSpacesAreThere)
     EXPECT_NEAR(probe.last_tick().force.z(), 2.4, 1e-9);
 }
 
-TEST_F(HapticProbeTest, TheDeepestContactOfATriangleMeshCounts)
-{
-    ProbeWorld world;
-    // Two triangles form a roof that is highest at x = 0.
-    const double vertices[] = {0, -1, 0, 0, 1, 0, 1, 0, -0.5, -1, 0, -0.5};
-    const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3};
-    const dTriMeshDataID data = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildDouble(data, vertices, 3 * sizeof(double), 4, triangles, 6, 3 * sizeof(dTriIndex));
-    const dGeomID mesh = dCreateTriMesh(world.space, data, nullptr, nullptr, nullptr);
-    ScriptedDevice device(reach({0.02, 0, 0.05}, {0.02, 0, -0.004}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
-    world.run(probe, reach_ticks);
-    ASSERT_EQ(probe.touches().size(), 1U);
-    const Vector3 slope = Vector3(0.5, 0, 1).normalized();
-    const double distance = slope.dot(Vector3(0.02, 0, -0.004));
-    EXPECT_NEAR(probe.touches()[0].depth, radius - distance, 1e-6);
-    EXPECT_NEAR(probe.touches()[0].normal.dot(slope), 1, 1e-6);
-    EXPECT_GT(probe.last_tick().force.z(), 1);
-    dGeomDestroy(mesh);
-    dGeomTriMeshDataDestroy(data);
-}
-
-TEST_F(HapticProbeTest, AHeightfieldIsFelt)
-{
-    ProbeWorld world;
-    const std::vector<double> heights(25, 0.1);
-    const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
-    dGeomHeightfieldDataBuildDouble(data, heights.data(), 0, 1, 1, 5, 5, 1, 0, 0.1, 0);
-    const dGeomID field = dCreateHeightfield(world.space, data, 1); // its y is up
-    ScriptedDevice device(reach({0.03, 0.2, 0.02}, {0.03, 0.1 + radius - 0.002, 0.02}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
-    world.run(probe, reach_ticks);
-    ASSERT_EQ(probe.touches().size(), 1U);
-    EXPECT_NEAR(probe.last_tick().force.y(), 1.6, 1e-5);
-    dGeomDestroy(field);
-    dGeomHeightfieldDataDestroy(data);
-}
-
 TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
 {
     ProbeWorld world;
@@ -220,34 +182,6 @@ TEST_F(HapticProbeTest, AProbeThatRestsDoesNotBotherTheSpace)
     world.run(probe, 100);
     dPredictiveSpaceGetStats(world.space, &after);
     EXPECT_EQ(after.moved, before.moved);
-}
-
-TEST_F(HapticProbeTest, CategoriesSayWhatCanBeTouched)
-{
-    ProbeWorld world;
-    const dGeomID plane = add_shape(world, Shape::plane);
-    dGeomSetCategoryBits(plane, 2);
-    dGeomSetCollideBits(plane, 2);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, world.space, radius);
-    dGeomSetCategoryBits(probe.geom(), 4);
-    dGeomSetCollideBits(probe.geom(), 4);
-    world.run(probe, reach_ticks);
-    EXPECT_TRUE(probe.last_tick().force.isZero(0));
-}
-
-TEST_F(HapticProbeTest, StiffnessBeyondTheDeviceIsClampedAndTold)
-{
-    ProbeWorld world;
-    add_shape(world, Shape::plane);
-    NoticeList notices;
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.002}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(5000, notices.sink()));
-    EXPECT_EQ(notices.count(NoticeKind::stability), 1);
-    EXPECT_NE(notices.text(NoticeKind::stability).find("1000"), std::string::npos)
-        << notices.text(NoticeKind::stability);
-    world.run(probe, reach_ticks);
-    EXPECT_NEAR(probe.last_tick().force.z(), 2, 1e-9);
 }
 
 TEST_F(HapticProbeTest, AWorkspaceInAnotherFrameIsFeltTheSame)

@@ -302,20 +302,5 @@ TEST(Renderer, RatesMustBeAboveZero)
     EXPECT_THROW(Renderer(device, settings), std::invalid_argument);
     EXPECT_FALSE(device.status().open);
 }
-
-TEST(Renderer, ASlowProgramSaysSoAndFeelsNothing)
-{
-    ScriptedDevice device(&tap);
-    std::string told;
-    RenderSettings settings;
-    settings.notice = [&](const Notice &notice) { told = notice.sentence(); };
-    Renderer renderer(device, settings);
-    for (int tick = 0; tick < 100; ++tick)
-    {
-        feel_wall(renderer, 0.05 * tick); // 20 Hz instead of the stated 1000 Hz
-        EXPECT_TRUE(renderer.last_tick().force.isZero(0));
-    }
-    EXPECT_FALSE(told.empty());
-}
 } // namespace
 } // namespace ode_predictive_space::haptics

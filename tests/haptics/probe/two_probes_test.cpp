@@ -8,7 +8,6 @@
 #include "tests/haptics/support/probe_fixture.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <mutex>
 #include <thread>
 
@@ -22,6 +21,15 @@ struct TwoProbeWorld
     HapticProbe *probes[2] = {};
 
     void collide() { dSpaceCollide(world.space, this, &near); }
+
+    void tick(double time)
+    {
+        for (HapticProbe *probe : probes)
+            probe->begin(time);
+        collide();
+        for (HapticProbe *probe : probes)
+            probe->render(dt);
+    }
 
     static void near(void *data, dGeomID first, dGeomID second)
     {
@@ -83,11 +91,7 @@ TEST_F(TwoProbes, PressedOnEachOtherFeelTheSameForceInEitherOrder)
         Balance balance;
         for (int tick = 0; tick < 8000; ++tick)
         {
-            for (HapticProbe *probe : scene.probes)
-                probe->begin(dt * tick);
-            scene.collide();
-            for (HapticProbe *probe : scene.probes)
-                probe->render(dt);
+            scene.tick(dt * tick);
             balance.add(first.last_tick(), second.last_tick());
         }
         balance.expect_even("order " + std::to_string(order));
@@ -108,12 +112,8 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
         scene.probes[0] = &first;
         scene.probes[1] = &second;
         SimulatedClock clock;
-        LoopSettings settings;
-        settings.decoupled = decoupled;
-        settings.duration = 8;
-        settings.clock = &clock;
         Balance balance;
-        HapticLoop loop(first, settings);
+        HapticLoop loop(first, simulated(clock, 8, decoupled));
         SceneWork work;
         work.collide = [&] {
             second.begin(clock.now());
@@ -125,57 +125,6 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
         balance.expect_even(decoupled ? "two threads" : "one thread");
     }
 }
-
-/// Clocks of two threads that alternate: neither gets ahead by more than a step.
-class ClockInTurns : public SimulatedClock
-{
-public:
-    struct Turns
-    {
-        std::mutex mutex;
-        std::condition_variable changed;
-        double reached[2] = {-1, -1}; ///< s
-    };
-
-    ClockInTurns(Turns &turns, int number) : turns_(turns), number_(number) {}
-
-    /// The loop's guard calls this in another thread, to see whether the clock goes back.
-    double now() const override
-    {
-        return std::this_thread::get_id() == thread_ ? SimulatedClock::now() : shown_.load();
-    }
-
-    void sleep_until(double time) override
-    {
-        wait_for_turn(time);
-        SimulatedClock::sleep_until(time);
-        shown_ = SimulatedClock::now();
-    }
-
-    void end()
-    {
-        const std::lock_guard<std::mutex> lock(turns_.mutex);
-        turns_.reached[number_] = infinity;
-        turns_.changed.notify_all();
-    }
-
-private:
-    void wait_for_turn(double time)
-    {
-        std::unique_lock<std::mutex> lock(turns_.mutex);
-        turns_.reached[number_] = time;
-        turns_.changed.notify_all();
-        turns_.changed.wait(lock, [&] {
-            const double other = turns_.reached[1 - number_];
-            return number_ == 0 ? other >= time : other > time;
-        });
-    }
-
-    Turns &turns_;
-    int number_;
-    const std::thread::id thread_ = std::this_thread::get_id(); ///< of the loop
-    std::atomic<double> shown_{0};                              ///< s; for other threads
-};
 
 class TwoLoops : public HapticProbeTest
 {
@@ -202,36 +151,6 @@ protected:
     TwoProbeWorld scene_;
     std::mutex mutex_;
 };
-
-TEST_F(TwoLoops, InTwoThreadsFeelTheSameForce)
-{
-    for (const bool decoupled : {false, true})
-    {
-        VirtualDevice left = hand_from(-1);
-        VirtualDevice right = hand_from(1);
-        HapticProbe first(left, scene_.world.space, radius);
-        HapticProbe second(right, scene_.world.space, radius);
-        scene_.probes[0] = &first;
-        scene_.probes[1] = &second;
-        ClockInTurns::Turns turns;
-        Balance balance;
-        RenderedTick latest[2];
-        in_two_threads([&](int number) {
-            ClockInTurns clock(turns, number);
-            LoopSettings settings;
-            settings.decoupled = decoupled;
-            settings.duration = 8;
-            settings.clock = &clock;
-            run(number, settings, [&](const HapticLoop &loop, int which) {
-                latest[which] = loop.latest();
-                if (which == 1)
-                    balance.add(latest[0], latest[1]);
-            });
-            clock.end();
-        });
-        balance.expect_even(decoupled ? "decoupled" : "of one thread each");
-    }
-}
 
 TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
 {
@@ -277,11 +196,7 @@ TEST_F(TwoProbes, OneThatIsFarFromTheToolOfTheOtherFeelsNothingOfIt)
     scene.probes[1] = &second;
     for (int tick = 0; tick < 3000; ++tick)
     {
-        first.begin(dt * tick);
-        second.begin(dt * tick);
-        scene.collide();
-        first.render(dt);
-        second.render(dt);
+        scene.tick(dt * tick);
         ASSERT_TRUE(second.last_tick().force.isZero(0)) << tick;
         ASSERT_NEAR(first.last_tick().force.x(), 0, 1e-9) << tick;
     }
@@ -310,11 +225,7 @@ TEST_F(TwoProbes, FeelNothingOfEachOtherWhereTheirBitsOrSpacesSayNo)
         scene.probes[1] = &second;
         for (int tick = 0; tick < 3000; ++tick)
         {
-            first.begin(dt * tick);
-            second.begin(dt * tick);
-            scene.collide();
-            first.render(dt);
-            second.render(dt);
+            scene.tick(dt * tick);
             ASSERT_TRUE(first.last_tick().force.isZero(0) && second.last_tick().force.isZero(0)) << tick;
         }
     }
@@ -331,13 +242,7 @@ TEST_F(TwoProbes, OneThatIsDestroyedIsFeltNoMore)
     scene.probes[1] = second.get();
     int tick = 0;
     for (; tick < 3000; ++tick)
-    {
-        first.begin(dt * tick);
-        second->begin(dt * tick);
-        scene.collide();
-        first.render(dt);
-        second->render(dt);
-    }
+        scene.tick(dt * tick);
     ASSERT_GT(first.last_tick().force.norm(), 1);
     second.reset();
     scene.probes[1] = &first;

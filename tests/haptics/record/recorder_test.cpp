@@ -2,7 +2,7 @@
 #include "ode_predictive_space/haptics/recording.h"
 #include "tests/haptics/support/allocation_count.h"
 #include "tests/haptics/support/child_program.h"
-#include "tests/haptics/support/temporary_file.h"
+#include "tests/support/scratch.h"
 
 #include <cmath>
 #include <exception>
@@ -52,11 +52,11 @@ bool add(Recorder &recorder, double time)
 
 TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
 {
-    const TemporaryFile file;
+    const ScratchFile file;
     Random random(1);
     std::vector<RecordedTick> ticks;
     {
-        Recorder recorder(file.name(), any_device(), Flush::by_caller, 1000);
+        Recorder recorder(file.path(), any_device(), Flush::by_caller, 1000);
         for (int i = 0; i < 1000; ++i)
         {
             ticks.push_back(random_tick(random, 1e5 + i / 3.0));
@@ -67,7 +67,7 @@ TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
         EXPECT_EQ(recorder.lost(), 0u);
         EXPECT_EQ(recorder.recorded(), 1000u);
     }
-    const Recording recording = read_recording(file.name());
+    const Recording recording = read_recording(file.path());
     EXPECT_TRUE(recording.has_forces);
     EXPECT_TRUE(recording.has_velocities);
     ASSERT_EQ(recording.ticks.size(), ticks.size());
@@ -106,20 +106,20 @@ TEST(Recorder, OnAFullDiskSaysSoFromTheNextTickOn)
 
 TEST(Recorder, CutsANameThatTheReaderWouldNotTake)
 {
-    const TemporaryFile file;
+    const ScratchFile file;
     Capabilities device;
     device.name = std::string(2 * longest_recorded_line, 'n');
-    Recorder recorder(file.name(), device, Flush::by_caller);
+    Recorder recorder(file.path(), device, Flush::by_caller);
     add(recorder, 0);
     recorder.close();
-    const std::string name = read_recording(file.name()).device->name;
+    const std::string name = read_recording(file.path()).device->name;
     EXPECT_EQ(name, device.name.substr(0, name.size()));
     EXPECT_GT(name.size(), longest_recorded_line / 2);
 }
 
 TEST(Recorder, KeepsWhatTheDeviceCanDo)
 {
-    const TemporaryFile file;
+    const ScratchFile file;
     Capabilities device;
     device.name = "two\nlines of name";
     device.input_axes = 6;
@@ -129,10 +129,10 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
     device.rate = 4000;
     device.delay = 1 / 300.0;
     device.workspace = {Vector3(-0.1, -0.2, -0.3), Vector3(0.1, 0.2, 1 / 7.0)};
-    Recorder recorder(file.name(), device, Flush::by_caller);
+    Recorder recorder(file.path(), device, Flush::by_caller);
     add(recorder, 0);
     recorder.close();
-    const Recording recording = read_recording(file.name());
+    const Recording recording = read_recording(file.path());
     ASSERT_TRUE(recording.device);
     EXPECT_EQ(recording.device->name, "two lines of name");
     EXPECT_EQ(recording.device->input_axes, 6);
@@ -148,13 +148,13 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
 
 TEST(Recorder, KeepsTheNameOfTheLaw)
 {
-    const TemporaryFile file;
+    const ScratchFile file;
     for (const std::string law : {"proxy", "penalty", ""})
     {
-        Recorder recorder(file.name(), any_device(), law, Flush::by_caller);
+        Recorder recorder(file.path(), any_device(), law, Flush::by_caller);
         add(recorder, 0);
         recorder.close();
-        const Recording recording = read_recording(file.name());
+        const Recording recording = read_recording(file.path());
         EXPECT_EQ(recording.law, law);
         EXPECT_EQ(recording.ticks.size(), 1U);
     }
@@ -162,8 +162,8 @@ TEST(Recorder, KeepsTheNameOfTheLaw)
 
 TEST(Recorder, AFullBufferLosesTicksAndSaysHowManyAndWhere)
 {
-    const TemporaryFile file;
-    Recorder recorder(file.name(), any_device(), Flush::by_caller, 10);
+    const ScratchFile file;
+    Recorder recorder(file.path(), any_device(), Flush::by_caller, 10);
     for (int i = 0; i < 13; ++i)
         EXPECT_EQ(add(recorder, i), i < 10);
     EXPECT_EQ(recorder.lost(), 3u);
@@ -172,7 +172,7 @@ TEST(Recorder, AFullBufferLosesTicksAndSaysHowManyAndWhere)
         EXPECT_EQ(add(recorder, i), i < 23) << "there was room again";
     recorder.close();
     EXPECT_EQ(recorder.lost(), 5u);
-    const std::string content = file.content();
+    const std::string content = file.text();
     const std::size_t first = content.find("# 3 ticks are missing here");
     const std::size_t second = content.find("# 2 ticks are missing here");
     ASSERT_NE(first, std::string::npos);
@@ -180,13 +180,13 @@ TEST(Recorder, AFullBufferLosesTicksAndSaysHowManyAndWhere)
     EXPECT_LT(content.find("\n9 "), first);
     EXPECT_GT(content.find("\n13 "), first);
     EXPECT_LT(content.find("\n22 "), second);
-    EXPECT_EQ(read_recording(file.name()).ticks.size(), 20u);
+    EXPECT_EQ(read_recording(file.path()).ticks.size(), 20u);
 }
 
 TEST(Recorder, LosesWhatCouldNotBeReadBack)
 {
-    const TemporaryFile file;
-    Recorder recorder(file.name(), any_device(), Flush::by_caller);
+    const ScratchFile file;
+    Recorder recorder(file.path(), any_device(), Flush::by_caller);
     const double nan = std::nan("");
     EXPECT_TRUE(add(recorder, 1));
     EXPECT_FALSE(add(recorder, 1)) << "not later";
@@ -201,13 +201,13 @@ TEST(Recorder, LosesWhatCouldNotBeReadBack)
     EXPECT_TRUE(add(recorder, 5));
     recorder.close();
     EXPECT_EQ(recorder.lost(), 5u);
-    EXPECT_EQ(read_recording(file.name()).ticks.size(), 2u);
+    EXPECT_EQ(read_recording(file.path()).ticks.size(), 2u);
 }
 
 TEST(Recorder, WritesByItselfWhileTheLoopRuns)
 {
-    const TemporaryFile file;
-    Recorder recorder(file.name(), any_device(), Flush::by_itself, 1000);
+    const ScratchFile file;
+    Recorder recorder(file.path(), any_device(), Flush::by_itself, 1000);
     int time = 0;
     for (int added = 0; added < 5000;)
     {
@@ -218,7 +218,7 @@ TEST(Recorder, WritesByItselfWhileTheLoopRuns)
             std::this_thread::yield();
     }
     recorder.close();
-    const Recording recording = read_recording(file.name());
+    const Recording recording = read_recording(file.path());
     ASSERT_EQ(recording.ticks.size(), 5000u);
     EXPECT_EQ(recorder.lost(), static_cast<std::size_t>(time) - 5000);
     for (const RecordedTick &tick : recording.ticks)
@@ -227,8 +227,8 @@ TEST(Recorder, WritesByItselfWhileTheLoopRuns)
 
 TEST(Recorder, AddingNeedsNoMemory)
 {
-    const TemporaryFile file;
-    Recorder recorder(file.name(), any_device(), Flush::by_caller, 1000);
+    const ScratchFile file;
+    Recorder recorder(file.path(), any_device(), Flush::by_caller, 1000);
     const std::uint64_t before = allocation_count();
     for (int i = 0; i < 1100; ++i)
         add(recorder, i);
@@ -238,12 +238,12 @@ TEST(Recorder, AddingNeedsNoMemory)
 
 TEST(Recorder, TheRestIsWrittenWhenItEnds)
 {
-    const TemporaryFile file;
+    const ScratchFile file;
     {
-        Recorder recorder(file.name(), any_device());
+        Recorder recorder(file.path(), any_device());
         add(recorder, 1);
     }
-    EXPECT_EQ(read_recording(file.name()).ticks.size(), 1u);
+    EXPECT_EQ(read_recording(file.path()).ticks.size(), 1u);
 }
 
 Recorder *recorder_of_handler = nullptr;
@@ -281,8 +281,8 @@ TEST(Recorder, SaysWhyItCannotMakeTheFile)
         EXPECT_EQ(error.fault(), DeviceFault::missing_file);
         EXPECT_NE(std::string(error.what()).find("/no/such/folder/run.txt"), std::string::npos);
     }
-    const TemporaryFile file;
-    EXPECT_THROW(Recorder(file.name(), any_device(), Flush::by_caller, 0), std::invalid_argument);
+    const ScratchFile file;
+    EXPECT_THROW(Recorder(file.path(), any_device(), Flush::by_caller, 0), std::invalid_argument);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -1,6 +1,6 @@
 #include "ode_predictive_space/haptics/recording.h"
 
-#include "tests/haptics/support/temporary_file.h"
+#include "tests/support/scratch.h"
 
 #include <cmath>
 #include <sys/stat.h>
@@ -49,8 +49,8 @@ Problem problem_with(const std::string &file)
 
 void expect_bad(const std::string &content, int line, const std::string &complaint)
 {
-    const TemporaryFile file(content);
-    const Problem problem = problem_with(file.name());
+    const ScratchFile file(content);
+    const Problem problem = problem_with(file.path());
     EXPECT_EQ(problem.fault, DeviceFault::bad_file);
     EXPECT_NE(problem.message.find("line " + std::to_string(line) + ":"), std::string::npos) << problem.message;
     EXPECT_NE(problem.message.find(complaint), std::string::npos) << problem.message;
@@ -58,12 +58,12 @@ void expect_bad(const std::string &content, int line, const std::string &complai
 
 TEST(Recording, ReadsPlainTrajectoriesOfTum)
 {
-    const TemporaryFile file("# ground truth trajectory\n"
-                             "# timestamp tx ty tz qx qy qz qw\n"
-                             "1305031098.6659 1.3563 0.6305 1.6380 0.6132 0.5962 -0.3311 -0.3986\n"
-                             "\n"
-                             "  1305031098.6758\t1.3543 0.6306 1.6360 0.6129 0.5966 -0.3316 -0.3980\r\n");
-    const Recording recording = read_recording(file.name());
+    const ScratchFile file("# ground truth trajectory\n"
+                           "# timestamp tx ty tz qx qy qz qw\n"
+                           "1305031098.6659 1.3563 0.6305 1.6380 0.6132 0.5962 -0.3311 -0.3986\n"
+                           "\n"
+                           "  1305031098.6758\t1.3543 0.6306 1.6360 0.6129 0.5966 -0.3316 -0.3980\r\n");
+    const Recording recording = read_recording(file.path());
     ASSERT_EQ(recording.ticks.size(), 2u);
     EXPECT_FALSE(recording.has_forces);
     EXPECT_FALSE(recording.has_velocities);
@@ -80,8 +80,8 @@ TEST(Recording, ReadsPlainTrajectoriesOfTum)
 
 TEST(Recording, ReadsForcesAndButtons)
 {
-    const TemporaryFile file("0 1 2 3 0 0 0 1 4 5 6 7\n1 1 2 3 0 0 0 1 -4e-3 5 6 4294967295\n");
-    const Recording recording = read_recording(file.name());
+    const ScratchFile file("0 1 2 3 0 0 0 1 4 5 6 7\n1 1 2 3 0 0 0 1 -4e-3 5 6 4294967295\n");
+    const Recording recording = read_recording(file.path());
     EXPECT_TRUE(recording.has_forces);
     EXPECT_FALSE(recording.has_velocities);
     EXPECT_EQ(recording.ticks[0].force, Vector3(4, 5, 6));
@@ -92,8 +92,8 @@ TEST(Recording, ReadsForcesAndButtons)
 
 TEST(Recording, ReadsVelocities)
 {
-    const TemporaryFile file("0 1 2 3 0 0 0 1 4 5 6 7 8 9 10 11 12 13\n");
-    const Recording recording = read_recording(file.name());
+    const ScratchFile file("0 1 2 3 0 0 0 1 4 5 6 7 8 9 10 11 12 13\n");
+    const Recording recording = read_recording(file.path());
     EXPECT_TRUE(recording.has_velocities);
     EXPECT_EQ(recording.ticks[0].state.linear_velocity, Vector3(8, 9, 10));
     EXPECT_EQ(recording.ticks[0].state.angular_velocity, Vector3(11, 12, 13));
@@ -101,9 +101,9 @@ TEST(Recording, ReadsVelocities)
 
 TEST(Recording, ReadsWhatTheDeviceCouldDo)
 {
-    const TemporaryFile file("# ode_predictive_space device: 6 3 7.9 1000 5 500 -1 -2 -3 1 2 3 PHANToM Desktop\n"
-                             "0 1 2 3 0 0 0 1\n");
-    const Recording recording = read_recording(file.name());
+    const ScratchFile file("# ode_predictive_space device: 6 3 7.9 1000 5 500 -1 -2 -3 1 2 3 PHANToM Desktop\n"
+                           "0 1 2 3 0 0 0 1\n");
+    const Recording recording = read_recording(file.path());
     ASSERT_TRUE(recording.device);
     EXPECT_EQ(recording.device->name, "PHANToM Desktop");
     EXPECT_EQ(recording.device->input_axes, 6);
@@ -154,18 +154,18 @@ TEST(Recording, ReadsLinesOfTheGreatestLength)
 {
     for (const char *end : {"\n", ""})
     {
-        const TemporaryFile file("# a comment\n" + of_length(longest_recorded_line) + end);
-        EXPECT_EQ(read_recording(file.name()).ticks.size(), 1u);
+        const ScratchFile file("# a comment\n" + of_length(longest_recorded_line) + end);
+        EXPECT_EQ(read_recording(file.path()).ticks.size(), 1u);
     }
 }
 
 TEST(Recording, RefusesMoreTicksThanAreAskedFor)
 {
-    const TemporaryFile file("0 1 2 3 0 0 0 1\n# a comment\n1 1 2 3 0 0 0 1\n2 1 2 3 0 0 0 1\n");
-    EXPECT_EQ(read_recording(file.name(), 3).ticks.size(), 3u);
+    const ScratchFile file("0 1 2 3 0 0 0 1\n# a comment\n1 1 2 3 0 0 0 1\n2 1 2 3 0 0 0 1\n");
+    EXPECT_EQ(read_recording(file.path(), 3).ticks.size(), 3u);
     try
     {
-        read_recording(file.name(), 2);
+        read_recording(file.path(), 2);
         ADD_FAILURE() << "it has been read";
     }
     catch (const DeviceError &error)
@@ -179,10 +179,10 @@ TEST(Recording, SaysWhyItCannotOpenAFile)
 {
     EXPECT_EQ(problem_with("/no/such/folder/run.txt").fault, DeviceFault::missing_file);
     EXPECT_EQ(problem_with(testing::TempDir()).fault, DeviceFault::bad_file);
-    const TemporaryFile locked("0 1 2 3 0 0 0 1\n");
-    ASSERT_EQ(chmod(locked.name().c_str(), 0), 0);
+    const ScratchFile locked("0 1 2 3 0 0 0 1\n");
+    ASSERT_EQ(chmod(locked.path().c_str(), 0), 0);
     const Unprivileged unprivileged;
-    EXPECT_EQ(problem_with(locked.name()).fault, DeviceFault::permission_denied);
+    EXPECT_EQ(problem_with(locked.path()).fault, DeviceFault::permission_denied);
 }
 
 TEST(ForceError, IsZeroForEqualForces)

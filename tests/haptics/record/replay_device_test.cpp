@@ -2,7 +2,7 @@
 
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/support/constants.h"
-#include "tests/haptics/support/temporary_file.h"
+#include "tests/support/scratch.h"
 
 #include <cmath>
 
@@ -83,13 +83,13 @@ void expect_equal(const TicksOfRun &a, const TicksOfRun &b)
 
 TEST(ReplayDevice, GivesTheSameForcesAsTheRecordedRun)
 {
-    const TemporaryFile file;
+    const ScratchFile file;
     VirtualDevice device({}, [](double t) { return Vector3(0.02 * std::cos(7 * t), 0, 0); });
-    Recorder recorder(file.name(), device.capabilities(), Recorder::Flush::by_caller);
+    Recorder recorder(file.path(), device.capabilities(), Recorder::Flush::by_caller);
     const TicksOfRun original = run_of(device, 17.3, 2000, &recorder);
     recorder.close();
 
-    ReplayDevice replay(file.name());
+    ReplayDevice replay(file.path());
     const TicksOfRun again = run_of(replay, 17.3, 2000, nullptr);
     expect_equal(again, original);
     EXPECT_EQ(compare_forces(original.forces, again.forces).max, 0);
@@ -220,8 +220,8 @@ TEST(ReplayDevice, OpenSaysWhatIsWrongWithTheFile)
         EXPECT_EQ(error.fault(), DeviceFault::missing_file);
     }
     EXPECT_FALSE(missing.status().open);
-    const TemporaryFile file("0 1 2\n");
-    ReplayDevice bad(file.name());
+    const ScratchFile file("0 1 2\n");
+    ReplayDevice bad(file.path());
     EXPECT_THROW(bad.open(), DeviceError);
     EXPECT_THROW(ReplayDevice(Recording{}), std::invalid_argument);
 }

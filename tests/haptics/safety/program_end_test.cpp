@@ -190,12 +190,7 @@ private:
 
     void run_loop(HapticProbe &probe, bool decoupled)
     {
-        LoopSettings settings;
-        settings.decoupled = decoupled;
-        settings.ask_for_priority = false;
-        settings.duration = 20;
-        settings.clock = &clock_;
-        HapticLoop loop(probe, settings);
+        HapticLoop loop(probe, simulated(clock_, 20, decoupled));
         loop.run({[&] { world_.collide(probe); },
                   [&](double dt) {
                       world_.step(dt);

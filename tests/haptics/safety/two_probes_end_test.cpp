@@ -1,6 +1,5 @@
 // Programs with two probes or with their own handlers end without a force, and do not hang.
 
-#include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/safety/active_run.h"
 
 #include "tests/haptics/safety/program_end_fixture.h"
@@ -10,7 +9,6 @@
 #include <exception>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace ode_predictive_space::haptics
 {
@@ -69,27 +67,6 @@ TEST_F(SecondProbeEnds, OnOneDeviceItEndsAProgramThatDoesNotCatchThat)
 {
     expect_refusal(end_after_pressing(
         [](LeaningProbe &first, Device &device) { const HapticProbe second(device, first.world().space, radius); }));
-}
-
-TEST_F(SecondProbeEnds, InAThreadToo)
-{
-    expect_refusal(end_after_pressing([](LeaningProbe &first, Device &device) {
-        std::thread([&] { const HapticProbe second(device, first.world().space, radius); }).join();
-    }));
-}
-
-TEST_F(SecondProbeEnds, InALoopsCallbackToo)
-{
-    for (const bool decoupled : {false, true})
-    {
-        expect_refusal(end_after_pressing([&](LeaningProbe &first, Device &device) {
-            LoopSettings settings;
-            settings.decoupled = decoupled;
-            settings.ask_for_priority = false;
-            HapticLoop(first.probe(), settings)
-                .run({[] {}, [&](double) { const HapticProbe second(device, first.world().space, radius); }});
-        }));
-    }
 }
 
 TEST_F(SecondProbeEnds, CaughtItLeavesTheFirstAloneAndStillGuarded)

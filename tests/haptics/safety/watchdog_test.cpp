@@ -136,20 +136,6 @@ TEST(Watchdog, SlowerPhysicsIsGivenItsTime)
     EXPECT_EQ(program.watchdog.factor(), 0);
 }
 
-TEST(Watchdog, WithoutTheDeviceTheForceIsGoneWithinTenMilliseconds)
-{
-    Program program;
-    program.settle();
-    program.device_answers = false;
-    program.run(0.005);
-    EXPECT_NEAR(program.watchdog.factor(), 0, 1e-9);
-    EXPECT_EQ(program.watchdog.reason(), WatchdogReason::device_lost);
-    program.device_answers = true;
-    program.tick();
-    EXPECT_LT(program.watchdog.factor(), 0.01);
-    program.settle();
-}
-
 TEST(Watchdog, ADeadlineMissedByLittleCostsLittleByMuchAll)
 {
     Program program;
@@ -252,15 +238,8 @@ TEST(Watchdog, TheFactorIsAFractionFallsWithinItsTimeAndRisesSlowly)
     }
 }
 
-TEST(Watchdog, LimitsFollowFromTheRates)
+TEST(Watchdog, RefusesRatesThatCannotBe)
 {
-    const WatchdogLimits fast = WatchdogLimits::of(4000, 1000);
-    EXPECT_DOUBLE_EQ(fast.stale_after, 0.004);
-    EXPECT_DOUBLE_EQ(fast.late_after, 0.004);
-    EXPECT_DOUBLE_EQ(fast.late_period, 1.5 / 4000);
-    const WatchdogLimits slow = WatchdogLimits::of(100, 50);
-    EXPECT_DOUBLE_EQ(slow.stale_after, 0.023);
-    EXPECT_DOUBLE_EQ(slow.late_after, 0.013);
     EXPECT_THROW(WatchdogLimits::of(0, 1), std::invalid_argument);
     EXPECT_THROW(WatchdogLimits::of(1, -1), std::invalid_argument);
 }

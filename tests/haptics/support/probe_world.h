@@ -5,6 +5,7 @@
 
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/probe.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
 
 #include <algorithm>
 #include <functional>
@@ -22,11 +23,12 @@ enum class SpaceChoice
     simple,
     hash,
     sweep_and_prune,
-    predictive
+    predictive,
+    predictive_by_shape
 };
 
 constexpr SpaceChoice all_space_choices[] = {SpaceChoice::simple, SpaceChoice::hash, SpaceChoice::sweep_and_prune,
-                                             SpaceChoice::predictive};
+                                             SpaceChoice::predictive, SpaceChoice::predictive_by_shape};
 
 inline dSpaceID make_space(SpaceChoice choice, dSpaceID parent = nullptr)
 {
@@ -39,9 +41,13 @@ inline dSpaceID make_space(SpaceChoice choice, dSpaceID parent = nullptr)
     case SpaceChoice::sweep_and_prune:
         return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XYZ);
     case SpaceChoice::predictive:
-        return dPredictiveSpaceCreate(parent);
+    case SpaceChoice::predictive_by_shape:
+        break;
     }
-    return nullptr;
+    const dSpaceID space = dPredictiveSpaceCreate(parent);
+    if (choice == SpaceChoice::predictive_by_shape)
+        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    return space;
 }
 
 class OdeUse
@@ -52,6 +58,13 @@ public:
     OdeUse(const OdeUse &) = delete;
     OdeUse &operator=(const OdeUse &) = delete;
 };
+
+inline std::shared_ptr<ForceLaw> make_law(bool by_proxy, const Material &material = {})
+{
+    if (by_proxy)
+        return std::make_shared<ProxyLaw>(material);
+    return std::make_shared<PenaltyLaw>(material);
+}
 
 inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
 {

@@ -29,6 +29,18 @@ inline Wrench push(double newtons)
     return wrench;
 }
 
+/// Settings of a loop in simulated time, without real-time priority. @param duration s. @param physics_rate Hz; if decoupled.
+inline LoopSettings simulated(LoopClock &clock, double duration, bool decoupled = false, double physics_rate = 1000)
+{
+    LoopSettings settings;
+    settings.decoupled = decoupled;
+    settings.physics_rate = physics_rate;
+    settings.duration = duration;
+    settings.ask_for_priority = false;
+    settings.clock = &clock;
+    return settings;
+}
+
 /// Written forces do not move it.
 class ScriptedDevice : public SoftwareDevice
 {
