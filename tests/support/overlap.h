@@ -15,7 +15,7 @@ inline bool boxes_overlap(dGeomID one, dGeomID other)
     return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
 }
 
-/// By their bodies and bits; whether they are enabled does not count.
+/// Whether their bodies and bits allow a pair. Disabled geoms count, too.
 inline bool may_collide(dGeomID one, dGeomID other)
 {
     const dBodyID body = dGeomGetBody(one);

@@ -1,4 +1,4 @@
-// What a grid of heights costs, and which heights it takes. Which cells it finds is seen in contacts with heightfields.
+// The cost of a grid of heights, and the heights that it takes. Tests of contacts with heightfields check the cells that it finds.
 
 #include <algorithm>
 #include <limits>
