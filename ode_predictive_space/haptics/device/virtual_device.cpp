@@ -3,7 +3,6 @@
 #include "ode_predictive_space/haptics/device/check_argument.h"
 
 #include <algorithm>
-#include <unsupported/Eigen/MatrixFunctions>
 
 namespace ode_predictive_space::haptics
 {
@@ -34,6 +33,24 @@ void check(const VirtualDeviceSettings &settings)
     check_not_negative(settings.force_delay, "virtual device: the force's delay");
 }
 
+/// e^matrix, by Taylor's series of a matrix halved until it is small, squared as often.
+Eigen::Matrix4d exponential(Eigen::Matrix4d matrix)
+{
+    int halvings = 0;
+    for (; matrix.cwiseAbs().rowwise().sum().maxCoeff() > 0.25; ++halvings)
+        matrix *= 0.5;
+    Eigen::Matrix4d sum = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d term = Eigen::Matrix4d::Identity();
+    for (int n = 1; n <= 12; ++n)
+    {
+        term = term * matrix / n;
+        sum += term;
+    }
+    for (; halvings > 0; --halvings)
+        sum = sum * sum;
+    return sum;
+}
+
 /// How position, velocity and drive u change in `step` seconds, for x'' = u - damping / mass x' - stiffness / mass x, with
 /// u changing evenly: the fourth component is u'.
 Eigen::Matrix4d transition(const HandModel &hand, double step)
@@ -44,7 +61,7 @@ Eigen::Matrix4d transition(const HandModel &hand, double step)
     rates(1, 1) = -(hand.damping + hand.grip_damping) / hand.mass;
     rates(1, 2) = 1;
     rates(2, 3) = 1;
-    return (step * rates).exp();
+    return exponential(step * rates);
 }
 } // namespace
 
