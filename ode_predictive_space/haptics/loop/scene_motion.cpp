@@ -140,10 +140,14 @@ void SceneMotion::find_touched(MotionForecast &forecast)
 {
     touched_.clear();
     forecast.count = 0;
-    std::vector<Touch> touches = sensor_.touches();
-    std::stable_sort(touches.begin(), touches.end(), [](const Touch &a, const Touch &b) { return a.depth > b.depth; });
-    for (const Touch &touch : touches)
+    std::vector<const Touch *> by_depth;
+    for (const Touch &touch : sensor_.touches())
+        by_depth.push_back(&touch);
+    std::sort(by_depth.begin(), by_depth.end(),
+              [](const Touch *a, const Touch *b) { return a->depth != b->depth ? a->depth > b->depth : a < b; });
+    for (const Touch *const each : by_depth)
     {
+        const Touch &touch = *each;
         if (touched_.size() == MotionForecast::most_touches)
             return;
         const dBodyID body = sensor_.body_of(touch.object);
