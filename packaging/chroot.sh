@@ -28,6 +28,13 @@ inside() {
         PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
 }
 
+# ninja_in <folder in /tmp> [target]: prints the last line, or everything after a failure.
+ninja_in() {
+    local said=$chroot/tmp/building
+    inside ninja -C "/tmp/$1" "${@:2}" >"$said" || { cat "$said" >&2 && return 1; }
+    tail -n 1 "$said"
+}
+
 install_in_chroot() { inside apt-get -q -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "$@" >/dev/null; }
 
 # The chroot accepts an archive out of date, as a snapshot is after some days, if this system does. Signatures are checked.
@@ -63,14 +70,14 @@ build_with() {
     if grep --after-context=5 'CMake .*Warning' "$said" >&2; then
         return 1
     fi
-    inside ninja -C "/tmp/$1" | tail -n 1
+    ninja_in "$1"
     inside cmake --install "/tmp/$1" --prefix "/tmp/$1/prefix" >/dev/null
 }
 
 # build_consumers <folder in /tmp> [options of cmake]: builds programs of another project with the CMake package.
 build_consumers() {
     inside cmake -S /tmp/sources/tests/install/consumer -B "/tmp/$1" -G Ninja "${@:2}" >/dev/null
-    inside ninja -C "/tmp/$1" | tail -n 1
+    ninja_in "$1"
     inside sh -c 'cd "$0" && ctest --output-on-failure' "/tmp/$1"
 }
 
@@ -79,7 +86,7 @@ test_contract() {
     install_in_chroot libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
     inside cmake -S /tmp/sources -B /tmp/tests -G Ninja -DCMAKE_BUILD_TYPE=Release -DODE_PREDICTIVE_SPACE_BUILD_DEMOS=OFF \
         -DODE_PREDICTIVE_SPACE_BUILD_TESTS=ON "$@" >/dev/null
-    inside ninja -C /tmp/tests tests_of_contract | tail -n 1
+    ninja_in tests tests_of_contract
     inside sh -c 'cd /tmp/tests && ctest --label-regex "^contract$" --parallel "$(nproc)" --output-on-failure' | tail -n 8
 }
 

@@ -30,7 +30,7 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_misplaced(const std::vector
     for (ProxyId id : members)
     {
         const Place &place = broadphase_.proxies().places[id];
-        const Box bounds = now.bounds(id).translated(-broadphase_.origin().place());
+        const Box bounds = Box(now.bounds(id)).translate(-broadphase_.origin().place());
         if (!is_within(place.envelope(), bounds))
             return {"a geom is outside its envelope", geoms_[id]};
         if (!place.watches_centre() && !is_within(place.tight(), bounds))

@@ -170,7 +170,7 @@ Pairs World::overlapping() const
 std::string World::misplaced_object() const
 {
     const Vector3 origin = broadphase.origin().place();
-    const auto here = [&](const Box &box) { return box.translated(-origin); };
+    const auto here = [&](Box box) { return box.translate(-origin); };
     for (ProxyId id : members())
     {
         const Place &place = broadphase.proxies().places[id];
