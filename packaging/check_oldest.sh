@@ -21,7 +21,7 @@ grep --recursive --files-with-matches --fixed-strings "$required" "$chroot/tmp/s
 
 # Before 3.21, CMake does not say whether the project is a part of another one.
 compilers=(-DPROJECT_IS_TOP_LEVEL=ON -DCMAKE_C_COMPILER=gcc-11 -DCMAKE_CXX_COMPILER=g++-11)
-build_with gcc gcc-11 g++-11
+build_with gcc gcc-11 g++-11 "${compilers[@]}"
 build_consumers consumer_gcc -DCMAKE_PREFIX_PATH=/tmp/gcc/prefix "${compilers[@]}"
 test_contract "${compilers[@]}"
 rm -rf "$chroot"
