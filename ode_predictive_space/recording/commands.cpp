@@ -56,18 +56,16 @@ class Counter
 {
 public:
     Counter(const ReplayOptions &options, std::size_t events)
-        : options_(options), events_(options.pairs_alone || !has_valgrind() ? 0 : options.events.count_of(events))
-    {
-        if (events_ > 0)
-            without_space_ = count(SpaceKind::none);
-    }
+        : options_(options), events_(options.pairs_alone || !has_valgrind() ? 0 : options.events.count_of(events)),
+          without_space_(count(SpaceKind::none))
+    {}
 
     std::size_t events() const { return events_; }
 
     /// None when the spaces end the program, or nothing is counted.
     std::optional<double> per_event(SpaceKind kind) const
     {
-        const auto all = events_ > 0 ? count(kind) : std::nullopt;
+        const auto all = count(kind);
         if (!all || !without_space_)
             return std::nullopt;
         return (static_cast<double>(*all) - static_cast<double>(*without_space_)) / static_cast<double>(events_);
@@ -76,6 +74,8 @@ public:
 private:
     std::optional<std::uint64_t> count(SpaceKind kind) const
     {
+        if (events_ == 0)
+            return std::nullopt;
         std::error_code none;
         const std::string own_path = std::filesystem::read_symlink("/proc/self/exe", none).string();
         return count_instructions(own_path, options_.file, kind, options_.events);

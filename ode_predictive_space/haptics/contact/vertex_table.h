@@ -51,10 +51,10 @@ private:
     static std::uint64_t hash_of(const Vector3 &place)
     {
         std::uint64_t hash = 0;
-        for (const double coordinate : place)
+        for (int axis = 0; axis < 3; ++axis)
         {
             std::uint64_t bits = 0;
-            std::memcpy(&bits, &coordinate, sizeof bits);
+            std::memcpy(&bits, place.data() + axis, sizeof bits);
             hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
             hash ^= hash >> 32;
         }
