@@ -68,6 +68,12 @@ TEST(LostOutput, OfAReportHasStatus2)
         << outcome.output;
 }
 
+TEST(LostOutput, OfAReportKeepsTheStatusOfAProgramThatFailed)
+{
+    const std::string folder = testing::TempDir() + "lost_report";
+    EXPECT_EQ(launch("--report " + folder + " sh -c '" ENDING " exit; rm -r " + folder + "; exit 4'").status, 4);
+}
+
 TEST(LostOutput, OfTheLaunchersHelpHasStatus2)
 {
     EXPECT_EQ(run("sh", "-c '" LAUNCHER " --help >/dev/full'").status, 2);

@@ -219,6 +219,16 @@ TEST(Preload, ChildrenWriteTheirOwnLinesOfATraceOnly)
     EXPECT_EQ(count_of("\n", trace.text()), 2 + 3 + 1) << trace.text();
 }
 
+TEST(Preload, ChildrenCountWhatTheyCollideThemselves)
+{
+    const ScratchFile statistics;
+    EXPECT_EQ(launch("--stats=" + statistics.path() + " " FORKING " 3").status, 0);
+    const std::string said = statistics.text();
+    EXPECT_EQ(count_of("dSpaceCollide 3 calls", said), 1) << said;
+    EXPECT_EQ(count_of("dSpaceCollide 1 calls", said), 3) << said;
+    EXPECT_EQ(count_of("dSpaceCollide", said), 4) << said;
+}
+
 TEST(Preload, ChildrenDoNotWaitForThreadsThatTheyHaveNot)
 {
     const ScratchFile statistics;

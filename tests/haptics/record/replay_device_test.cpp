@@ -155,6 +155,23 @@ TEST(ReplayDevice, VelocityIsTheDerivativeOfThePosition)
     }
 }
 
+TEST(ReplayDevice, VelocityAtUnevenTimesIsThatOfTheParabola)
+{
+    Recording recording;
+    for (const double time : {0.0, 0.01, 0.04, 0.05, 0.11})
+    {
+        RecordedTick tick;
+        tick.state.time = time;
+        tick.state.position = time * time * Vector3(1, 2, 3);
+        recording.ticks.push_back(tick);
+    }
+    ReplayDevice device(recording);
+    device.open();
+    device.read(0);
+    for (const double time : {0.01, 0.04, 0.05})
+        EXPECT_LT((device.read(time).linear_velocity - 2 * time * Vector3(1, 2, 3)).norm(), 1e-12) << time;
+}
+
 TEST(ReplayDevice, CrossesAGapOnAStraightLine)
 {
     Recording recording;

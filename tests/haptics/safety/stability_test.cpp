@@ -47,6 +47,13 @@ TEST(Stability, ASlowerLoopRendersLessAFasterOneNotMore)
     EXPECT_EQ(check_stability(desktop(), rendering_of(3000, 4000)).stiffness, 1000);
 }
 
+TEST(Stability, AFasterLoopWithADelayRendersNotMore)
+{
+    Rendering rendering = rendering_of(3000, 4000);
+    rendering.delay = 0.0001;
+    EXPECT_EQ(check_stability(desktop(), rendering).stiffness, 1000);
+}
+
 TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
 {
     Rendering rendering = rendering_of(900);
