@@ -276,6 +276,26 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
     }
 }
 
+// Its spheres are around itself, far from the body by which it moves.
+TEST_F(Times, OfAGeomWithAnOffsetAreThoseOfItself)
+{
+    for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape})
+    {
+        dPredictiveSpaceSetProximity(space, proximity);
+        const dGeomID one = scene.sphere(0.5, 0, 0, 0), other = scene.sphere(0.5, 0, 0, 0);
+        const dBodyID body = scene.body(other, 0, 0, 0);
+        dGeomSetOffsetPosition(other, -8, -8, 0);
+        dPredictiveSpaceSetGeomRole(space, one, dPredictiveRoleInteractive); // makes shapes decide about the callback
+        fill(20);
+        expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+            const dReal place = 14 - REAL(0.05) * static_cast<dReal>(tick);
+            dBodySetPosition(body, place, place, 0);
+        }));
+        dGeomDestroy(one);
+        dGeomDestroy(other);
+    }
+}
+
 // They have no position with a known motion.
 TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
 {
