@@ -62,6 +62,13 @@ TEST(Gap, IsNeverMoreThanTheDistance)
             apart += gap.length > 0;
             ASSERT_LE(gap.length, distance_from_above(shapes.first, shapes.second, 8) + rounding)
                 << "classes " << static_cast<int>(one) << " " << static_cast<int>(other) << ", pose " << i;
+            if (gap.length > 0 && i % 8 == 0)
+            {
+                ConvexShape farther = shapes.second;
+                farther.centre += gap.axis;
+                ASSERT_GE(distance_from_above(shapes.first, farther, 8), gap.length + gap.axis.norm() - rounding)
+                    << "the axis is from the first to the second; pose " << i;
+            }
         }
         EXPECT_GT(apart, poses / 10) << "too few are apart for a test";
     });
