@@ -3,18 +3,22 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <thread>
 #include <vector>
 
 #include <ode_predictive_space/predictive_space.h>
 
 #include "ode_predictive_space/space/ode_internals.h"
+#include "tests/contract/support/geom_zoo.h"
 #include "tests/contract/support/scenario.h"
 
 namespace ode_predictive_space
 {
 namespace
 {
+using Contract = OdeTest;
+
 struct Past
 {
     const char *name;
@@ -41,6 +45,22 @@ const Past pasts[] = {
          scene.step(0.01);
      }},
 };
+
+template <typename Act> void in_threads(int count, Act act)
+{
+    std::atomic<int> ready{0};
+    std::vector<std::thread> running;
+    for (int i = 0; i < count; ++i)
+        running.emplace_back([&, i] {
+            const OdeThread ode;
+            ++ready;
+            while (ready < count)
+                std::this_thread::yield();
+            act(i);
+        });
+    for (std::thread &thread : running)
+        thread.join();
+}
 
 class ParallelQuery : public OdeTest, public ::testing::WithParamInterface<std::tuple<Past, int>>
 {
@@ -89,22 +109,6 @@ protected:
         if (dGeomIsSpace(first) || dGeomIsSpace(second))
             dSpaceCollide2(first, second, data, note_and_descend);
     }
-
-    template <typename Act> static void in_threads(Act act)
-    {
-        std::atomic<int> ready{0};
-        std::vector<std::thread> running;
-        for (int i = 0; i < threads; ++i)
-            running.emplace_back([&, i] {
-                const OdeThread ode;
-                ++ready;
-                while (ready < threads)
-                    std::this_thread::yield();
-                act(i);
-            });
-        for (std::thread &thread : running)
-            thread.join();
-    }
 };
 
 TEST_P(ParallelQuery, EachThreadGetsWhatASimpleSpaceReports)
@@ -119,7 +123,7 @@ TEST_P(ParallelQuery, EachThreadGetsWhatASimpleSpaceReports)
     }
 
     std::vector<std::vector<Pairs>> answers(threads);
-    in_threads([&](int i) { answers[static_cast<std::size_t>(i)] = ask(scene.space(), 31 * i); });
+    in_threads(threads, [&](int i) { answers[static_cast<std::size_t>(i)] = ask(scene.space(), 31 * i); });
 
     for (int i = 0; i < threads; ++i)
     {
@@ -173,7 +177,7 @@ TEST_P(ParallelQuery, SpacesAreAskedAgainstSpaces)
     }
 
     std::vector<Pairs> answers(threads);
-    in_threads([&](int i) {
+    in_threads(threads, [&](int i) {
         for (int round = 0; round < 300; ++round)
             answers[static_cast<std::size_t>(i)] = collide2(as_geom(visitors[0]), as_geom(scene.space()));
     });
@@ -218,9 +222,41 @@ TEST_P(ParallelQuery, InquiriesAreAnsweredAsByOneThread)
         return met;
     };
     std::vector<std::vector<int>> answers(threads);
-    in_threads([&](int i) { answers[static_cast<std::size_t>(i)] = encounters(i); });
+    in_threads(threads, [&](int i) { answers[static_cast<std::size_t>(i)] = encounters(i); });
     for (int i = 0; i < threads; ++i)
         EXPECT_EQ(answers[static_cast<std::size_t>(i)], encounters(i)) << "thread " << i;
+}
+
+// The first query of a mesh makes its hull; other threads may be asking about the same mesh. No collide has needed a hull.
+TEST_F(Contract, 16_HullsAreMadeByTheFirstOfManyQueries)
+{
+    constexpr int meshes = 300;
+    std::vector<std::unique_ptr<OwnShapeData>> data; // each has a hull of its own
+    Scenario scene(SpaceKind::predictive, Asked::nothing);
+    dPredictiveSpaceSetProximity(scene.space(), dPredictiveProximityShape);
+    for (int i = 0; i < meshes; ++i)
+    {
+        const dGeomID mesh = scene.numbered(create_geom(GeomKind::trimesh, 1, scene.space()));
+        data.push_back(make_own_data(GeomKind::trimesh, 1));
+        data.back()->give_to(mesh);
+        dGeomSetPosition(mesh, 10 * i, 0, 0);
+    }
+    EXPECT_TRUE(collide(scene.space()).empty());
+    const auto found = [&] {
+        int pairs = 0;
+        const dGeomID probe = number_geom(dCreateBox(nullptr, 1, 1, 1), meshes);
+        for (int i = 0; i < meshes; ++i)
+        {
+            dGeomSetPosition(probe, 10 * i, 0, 0);
+            pairs += static_cast<int>(collide2(probe, as_geom(scene.space())).size());
+        }
+        dGeomDestroy(probe);
+        return pairs;
+    };
+    std::vector<int> answers(4);
+    in_threads(4, [&](int i) { answers[static_cast<std::size_t>(i)] = found(); });
+    EXPECT_EQ(answers, std::vector<int>(4, found()));
+    EXPECT_GT(answers[0], 0);
 }
 
 std::string name_of(const ::testing::TestParamInfo<std::tuple<Past, int>> &info)

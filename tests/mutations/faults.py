@@ -206,6 +206,10 @@ def predict_faults():
     yield Fault(
         "step_from_one_object", "predict", SOURCES + "prediction/step_estimate.cpp",
         "step_ = sorted[count_ / 2];", "step_ = sample;", (("prediction", "StepEstimate.*"),))
+    yield Fault(
+        "forecast_sphere_about_the_body_of_an_offset_geom", "predict", SOURCES + "broadphase/predict/predictor.cpp",
+        "seen.centre == pivot && std::isfinite(seen.radius);",
+        "seen.centre.has_value() && std::isfinite(seen.radius);", (("times", "*OfAGeomWithAnOffset*"),))
 
 
 def index_faults():
@@ -264,6 +268,10 @@ def index_faults():
         "touching_boxes_apart", "index", BROADPHASE + "base/four_boxes.h",
         "(low_[axis] <= boxes.highs(axis))", "(low_[axis] < boxes.highs(axis))",
         (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "EnvelopeTree.*")))
+    yield Fault(
+        "refit_keeps_old_unbounded_boxes", "index", SOURCES + "broadphase/index/envelope_index.cpp",
+        "        else if (tree_kind == TreeKind::list)\n            list_.put(swept);",
+        "        else if (tree_kind == TreeKind::list && is_small_)\n            list_.put(swept);", (("contract", "*APlaneIsFoundWhereItWent*"),))
 
 
 def proximity_faults():
@@ -544,6 +552,10 @@ def shape_faults():
         "surface_of_the_data_before", "shapes", maker, "hull_->surface = std::make_shared<TriangleTree>(*mesh_data_of(geom_));",
         "static const auto first_mesh = std::make_shared<TriangleTree>(*mesh_data_of(geom_));\n        hull_->surface = first_mesh;",
         hull_data + contacts)
+    yield Fault(
+        "axis_of_a_second_half_space_points_back", "shapes", SOURCES + "broadphase/shape/gap.cpp",
+        "return {gap.length, -gap.axis, gap.work};",
+        "return {gap.length, gap.axis, gap.work};", (("shapes", "Gap.*"),))
 
 
 def sweep_faults():
@@ -586,7 +598,7 @@ def space_faults():
         "ray_counted_from_another_origin", "space", query, "line_of_ray(query.geom, origin)", "line_of_ray(query.geom, Origin())",
         contract("Contract.09_*"))
     yield Fault(
-        "validated_from_another_origin", "space", SOURCES + "space/validation.cpp", ".translated(-broadphase_.origin().place())", "", far)
+        "validated_from_another_origin", "space", SOURCES + "space/validation.cpp", ".translate(-broadphase_.origin().place())", "", far)
     yield Fault(
         "deviation_of_c_alone_set_free", "space", SOURCES + "space/c_api.cpp", "a == 0 && b == 0 && c == 0 ?", "a == 0 && b == 0 ?",
         (("space", "PredictiveSpace.*"),))
@@ -832,6 +844,10 @@ def history_faults():
     yield Fault(
         "asked_before_it_is_collided", "history", check,
         "if (is_collide ? !has_collide_ : !has_collide_ && !has_query_)", "if (!has_collide_ && !has_query_)", read)
+    yield Fault(
+        "more_notices_recorded_than_a_reader_takes", "history", SOURCES + "recording/recorder.cpp",
+        "std::min(notices_.take(geom), most_notices)",
+        "notices_.take(geom)", (("recordings", "*MoreOftenThan*"),))
 
 
 def advice_faults():
@@ -958,6 +974,14 @@ def haptic_faults():
     yield Fault(
         "the_shallowest_contact_of_an_object", "haptics", SOURCES + "haptics/contact/touch_sensor.cpp",
         "touch.depth > known->touch_at(place.centre).depth", "touch.depth < known->touch_at(place.centre).depth", (("haptics", "TouchSensorTest.*"),))
+    yield Fault(
+        "fast_loop_with_a_delay_exceeds_the_stiffness_of_the_device", "haptics", SOURCES + "haptics/safety/stability.cpp",
+        "return capabilities.max_stiffness * std::min(1.0, part);",
+        "return capabilities.max_stiffness * part;", (("haptics", "Stability.*"),))
+    yield Fault(
+        "slopes_weighted_by_their_own_leg", "haptics", SOURCES + "haptics/record/replay_device.cpp",
+        "return (seconds_after * before + seconds_before * after) / (seconds_before + seconds_after);",
+        "return (seconds_before * before + seconds_after * after) / (seconds_before + seconds_after);", (("haptics", "ReplayDevice.*"),))
 
 
 FAULTS = tuple(

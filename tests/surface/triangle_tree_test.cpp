@@ -197,19 +197,5 @@ TEST_F(TriangleTrees, NearerBoxesComeFirst)
     for (std::uint32_t triangle = 0; triangle < tree.count(); ++triangle)
         EXPECT_GE(distance(point, tree.corners(triangle)), most);
 }
-TEST(NearestOnTriangle, PartsAreNumberedAsTheCornersWhereTheyBegin)
-{
-    const TriangleCorners corners = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)};
-    const Vector3 middle = (corners[0] + corners[1] + corners[2]) / 3;
-    for (int i = 0; i < 3; ++i)
-    {
-        const Vector3 between = 0.5 * (corners[i] + corners[(i + 1) % 3]);
-        const NearestOnTriangle corner = nearest_on_triangle(middle + 3 * (corners[i] - middle), corners),
-                                edge = nearest_on_triangle(between + 0.1 * (between - middle), corners);
-        EXPECT_TRUE(corner.part == TrianglePart::corner && corner.index == i) << i;
-        EXPECT_TRUE(edge.part == TrianglePart::edge && edge.index == i) << i;
-    }
-    EXPECT_TRUE(nearest_on_triangle(middle, corners).part == TrianglePart::face);
-}
 } // namespace
 } // namespace ode_predictive_space
