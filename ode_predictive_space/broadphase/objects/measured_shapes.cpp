@@ -11,7 +11,6 @@ namespace ode_predictive_space
 namespace
 {
 constexpr double rounds_up = 1 + 32 * std::numeric_limits<double>::epsilon();
-constexpr std::size_t least_room = 64;
 } // namespace
 
 void MeasuredShapes::start(std::size_t count)
@@ -56,8 +55,7 @@ void MeasuredShapes::keep_only(const IdSet &wanted)
     for (std::size_t place = owners_.size(); place-- > 0;)
         if (!wanted.contains(owners_[place]))
             forget(owners_[place]);
-    if (shapes_.capacity() > 4 * (shapes_.size() + least_room))
-        shapes_.shrink_to_fit();
+    give_back_spare(shapes_);
 }
 
 void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies)
