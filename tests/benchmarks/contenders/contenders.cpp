@@ -1,7 +1,6 @@
 #include "tests/benchmarks/contenders/contenders.h"
 
 #include "tests/benchmarks/contenders/brute_force.h"
-#include "tests/benchmarks/contenders/floor.h"
 #include "tests/benchmarks/contenders/plain_sweep.h"
 #ifdef ODE_PREDICTIVE_SPACE_HAVE_BULLET
 #include "tests/benchmarks/contenders/bullet_space.h"
@@ -45,8 +44,6 @@ const std::vector<Entry> &entries()
         {"bullet-dbvt", [](const WorldFactory &) { return make_bullet_dbvt(); }},
         {"bullet-sap", [](const WorldFactory &factory) { return make_bullet_sap(factory); }},
 #endif
-        {"floor-boxes", [](const WorldFactory &factory) { return make_floor_with_boxes(factory); }},
-        {"floor", [](const WorldFactory &factory) { return make_floor(factory); }},
     };
     return all;
 }

@@ -5,7 +5,7 @@
 
 namespace ode_predictive_space::benchmarks
 {
-/// The spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap" (with Bullet only), "floor-boxes", "floor".
+/// The spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap" (with Bullet only).
 const std::vector<std::string> &contender_names();
 
 /// A contender for this world; "predictive" means "predictive-box". @throws std::invalid_argument for an unknown name.
