@@ -489,8 +489,9 @@ TEST_F(Notice, TurningBringsNearWithoutMovingTheCentre)
         }
     });
 }
+
 // A scene that gets another origin keeps its index, whose boxes are renewed: those without an end as well.
-TEST_F(Contract, 2_APlaneIsFoundWhereItWentWithAllOthers)
+TEST_F(Notice, APlaneIsFoundWhereItWentWithAllOthers)
 {
     expect_as_simple([](Scenario &scene) {
         const dGeomID plane = scene.numbered(dCreatePlane(scene.space(), 0, 0, 1, -5));
