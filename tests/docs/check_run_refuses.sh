@@ -39,7 +39,7 @@ refuses bench --ode
 refuses bench --ode newest
 refuses dev fuzz never
 refuses dev variants msvc
-refuses dev plots
+refuses dev plots cost.svg
 refuses format --all
 refuses dev tidy first
 
