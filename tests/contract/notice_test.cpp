@@ -489,29 +489,5 @@ TEST_F(Notice, TurningBringsNearWithoutMovingTheCentre)
         }
     });
 }
-
-// A scene that gets another origin keeps its index, whose boxes are renewed: those without an end as well.
-TEST_F(Notice, APlaneIsFoundWhereItWentWithAllOthers)
-{
-    expect_as_simple([](Scenario &scene) {
-        const dGeomID plane = scene.numbered(dCreatePlane(scene.space(), 0, 0, 1, -5));
-        std::vector<dGeomID> balls;
-        for (int i = 0; i < 300; ++i)
-            balls.push_back(scene.sphere(0.3, i % 20, i / 20, 0));
-        const auto tick_with_one_moved = [&](dReal height) {
-            dGeomSetPosition(balls[0], 0, 0, height);
-            scene.tick();
-            scene.query(as_geom(scene.space()), balls[0]);
-        };
-        for (const dReal height : {REAL(0.1), REAL(0.2), REAL(-4.9), REAL(0.0)})
-            tick_with_one_moved(height);
-        dGeomPlaneSetParams(plane, 0, 0, 1, 95);
-        for (int i = 0; i < 300; ++i)
-            dGeomSetPosition(balls[static_cast<std::size_t>(i)], i % 20, i / 20, 100);
-        scene.tick();
-        for (const dReal height : {REAL(100.1), REAL(95.1), REAL(100.0), REAL(95.2)})
-            tick_with_one_moved(height);
-    });
-}
 } // namespace
 } // namespace ode_predictive_space

@@ -276,7 +276,7 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
     }
 }
 
-// Its spheres are around itself, far from the body by which it moves.
+// The forecast's sphere is around the geom, which is far from its body.
 TEST_F(Times, OfAGeomWithAnOffsetAreThoseOfItself)
 {
     for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape})
