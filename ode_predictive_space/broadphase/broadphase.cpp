@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "ode_predictive_space/broadphase/near/contact_forecast.h"
-#include "ode_predictive_space/broadphase/shape/gap.h"
-#include "ode_predictive_space/broadphase/shape/surface_gap.h"
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/proximity.h"
 
@@ -23,13 +21,13 @@ void Broadphase::update(Scene &scene, bool is_tick)
         move_origin(*next_origin_);
     if (interrupted_ || clock_.update % half_of_all == 0)
         start_over();
-    idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });
+    request_enabled(scene);
     clock_.unticked += clock_.moves;
     clock_.queries = is_tick ? 0 : clock_.queries + (clock_.moves > 0);
     const bool only_queries = clock_.queries > tuning::calls_of_a_habit && clock_.moves > 0;
     const bool time_passes = clock_.unticked > 0 && (is_tick || only_queries);
-    if (!listing_.listed.has_work() && clock_.moves == 0 && !time_passes && !near_.has_retired() &&
-        !pairing_.waiting.has_work())
+    if (listing_.listed.empty() && !listing_.any_doubtful && clock_.moves == 0 && !time_passes &&
+        !near_.has_retired() && pairing_.waiting.empty())
         return;
     interrupted_ = true;
     counters_.moved += clock_.moves;
@@ -62,10 +60,24 @@ void Broadphase::find_new_pairs(Scene &scene)
     interrupted_ = false; // not finish(): the update number must not advance
 }
 
+// ODE enables geoms without notice, so the disabled ones are polled.
+void Broadphase::request_enabled(Scene &scene)
+{
+    if (idle_.empty())
+        return;
+    clear_scratch(listing_.current);
+    idle_.for_each([this](ProxyId id) { listing_.current.push_back(id); });
+    idle_.clear();
+    scene.find_disabled(listing_.current, idle_);
+    for (ProxyId id : listing_.current)
+        if (!idle_.contains(id))
+            request(id);
+}
+
 // Objects that are outside their envelopes, or have boundless ones, or are requested, join the batch.
 void Broadphase::measure_listed(Scene &scene)
 {
-    if (!listing_.listed.has_work())
+    if (listing_.listed.empty())
         return;
     clear_scratch(listing_.current);
     listing_.listed.for_each([this](ProxyId id) {
@@ -98,7 +110,7 @@ void Broadphase::measure_listed(Scene &scene)
 void Broadphase::predict(Scene &scene)
 {
     predictor_.predict(scene, proxies_, origin_, batch_.ids(), clock_.now);
-    idle_.note(scene, batch_.ids().data(), batch_.size());
+    scene.find_disabled(batch_.ids(), idle_);
     counters_.repredictions += batch_.size();
 }
 
@@ -110,7 +122,7 @@ void Broadphase::postpone_pairs()
 
 void Broadphase::find_pairs(Scene &scene)
 {
-    if (!pairing_.waiting.has_work())
+    if (pairing_.waiting.empty())
         return find_pairs(scene, batch_);
     postpone_pairs();
     pairing_.waiting.for_each([this](ProxyId id) { pairing_.batch.add(id); });
@@ -123,7 +135,7 @@ void Broadphase::find_pairs(Scene &scene, const Batch &batch)
 {
     if (batch.empty())
         return;
-    counters_.sweeps += !index_.find_pairs(proxies_, batch, idle_.members(), pairing_.found);
+    counters_.sweeps += !index_.find_pairs(proxies_, batch, idle_, pairing_.found);
     make_tight(scene, batch);
     const bool by_shape = proximity_test_ == ProximityTest::shape;
     for (const CandidatePair &pair : pairing_.found)
@@ -154,6 +166,7 @@ void Broadphase::make_tight(Scene &scene, const Batch &batch)
 void Broadphase::finish()
 {
     batch_.clear();
+    listing_.any_doubtful = false;
     clock_.update = (clock_.update + 1) & Place::last_update;
     interrupted_ = false;
 }
@@ -164,22 +177,16 @@ std::size_t Broadphase::report(Scene &scene, std::vector<CandidatePair> &room)
     if (room.size() < near_.most_pairs())
         room.resize(near_.most_pairs());
     const UpdateNumber last = (clock_.update - 1) & Place::last_update;
-    CandidatePair *end = nullptr;
     const bool by_sphere = proximity_test_ == ProximityTest::sphere;
     const float certain = by_sphere ? std::numeric_limits<float>::infinity() : Place::rounding * predictor_.farthest();
     const Float4 doubt = origin_.doubt();
     const OverlapTest test{scene, proxies_.places.data(), by_sphere, doubt,
                            Float4::all(certain) + Float4::all(Place::most_doubts) * doubt};
+    std::optional<ShapeTest> by_shape;
     if (proximity_test_ == ProximityTest::shape)
-    {
-        ShapeTest of_shapes({scene, proxies_, shapes_}, test, shape_margin_, counters_.gap_checks);
-        end = near_.report(of_shapes, last, room.data());
-        shapes_.clear_renewed();
-    }
-    else
-        end = near_.report(test, last, room.data());
-    for (ProxyId id : near_.newly_resting())
-        proxies_.places[id].stop_watching();
+        by_shape.emplace(ShapeTest{test, proxies_, shapes_, shape_margin_, counters_.gap_checks});
+    CandidatePair *end = near_.report(test, by_shape, last, room.data());
+    shapes_.clear_renewed();
     interrupted_ = false;
     return static_cast<std::size_t>(end - room.data());
 }
@@ -303,39 +310,24 @@ ProxyId Broadphase::add()
     return id;
 }
 
-// ODE removes geoms in destructors, so nothing may be thrown: if memory runs out, the next update starts over.
+// ODE removes geoms in destructors, so nothing may be thrown.
 void Broadphase::remove(ProxyId id)
 {
     listing_.listed.erase(id);
     listing_.requested.erase(id);
     pairing_.waiting.erase(id);
-    idle_.forget(id);
+    idle_.erase(id);
     shapes_.forget(id);
     predictor_.forget(id);
     near_.close_account(id);
     if (!interrupted_)
-        attempt([&] { forget(id); });
+    {
+        near_.retire(id);
+        index_.remove(proxies_, id);
+    }
     proxies_.remove(id);
     if (proxies_.count() < trim_below_)
-        attempt([&] { trim(); });
-}
-
-template <typename Step> void Broadphase::attempt(Step step)
-{
-    try
-    {
-        step();
-    }
-    catch (const std::bad_alloc &)
-    {
-        interrupted_ = true;
-    }
-}
-
-void Broadphase::forget(ProxyId id)
-{
-    near_.retire(id);
-    index_.remove(proxies_, id);
+        trim();
 }
 
 void Broadphase::resize_stages()
@@ -361,14 +353,19 @@ void Broadphase::trim()
     interrupted_ = true;
     proxies_.trim();
     predictor_.release();
-    idle_.release();
     index_ = {};
-    near_.release();
+    near_.clear();
     batch_ = {};
     pairing_.batch = {};
     free_memory(listing_.current);
     free_memory(pairing_.found);
-    resize_stages();
+    try
+    {
+        resize_stages();
+    }
+    catch (const std::bad_alloc &)
+    { // start_over() tries again
+    }
 }
 
 // --- Settings and numbers -------------------------------------------------------------------------------------------------

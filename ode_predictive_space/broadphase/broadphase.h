@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/batch.h"
-#include "ode_predictive_space/broadphase/base/worklist.h"
 #include "ode_predictive_space/broadphase/index/envelope_index.h"
 #include "ode_predictive_space/broadphase/near/near_set.h"
-#include "ode_predictive_space/broadphase/objects/idle_objects.h"
+#include "ode_predictive_space/broadphase/objects/measured_shapes.h"
 #include "ode_predictive_space/broadphase/predict/predictor.h"
 
 namespace ode_predictive_space
@@ -216,6 +215,7 @@ private:
     }
 
     void update(Scene &scene, bool is_tick);
+    void request_enabled(Scene &scene);
     void measure_listed(Scene &scene);
     void predict(Scene &scene);
     void postpone_pairs();
@@ -226,8 +226,6 @@ private:
     void start_over();
     void review(Scene &scene);
     void move_origin(const Vector3 &origin);
-    void forget(ProxyId id);
-    template <typename Step> void attempt(Step step);
     void request_all();
     void resize_stages();
     void trim();
@@ -243,15 +241,16 @@ private:
 
     struct Listing
     {
-        Worklist listed;              // objects with a watched solid were measured by their last notice
+        IdSet listed;                 // objects with a watched solid were measured by their last notice
         IdSet requested;              // listed objects that get new envelopes in any case
+        bool any_doubtful = false;    // moves that may be too small for single precision
         std::vector<ProxyId> current; // scratch
     };
 
     // State between new envelopes and near pairs. Only `waiting` keeps members between updates.
     struct Pairing
     {
-        Worklist waiting; // objects whose new pairs are not in the near set yet
+        IdSet waiting; // objects whose new pairs are not in the near set yet
         Batch batch;
         std::vector<CandidatePair> found;
     };
@@ -260,7 +259,7 @@ private:
     std::optional<Vector3> next_origin_; // applied by the next update
     ProxyStore proxies_;
     MeasuredShapes shapes_; // in use with ProximityTest::shape
-    IdleObjects idle_;
+    IdSet idle_;            // objects that were disabled when they got an envelope or were reported; in no near pair
     Predictor predictor_;
     EnvelopeIndex index_;
     NearSet near_;
@@ -295,7 +294,7 @@ template <typename Object> bool Broadphase::notify_closely(ProxyId id, const Obj
     }
     // The move may be too small for single precision. It must keep pairs from coming to rest, and adds to travel.
     place.note_doubtful_move(clock_.update);
-    listing_.listed.demand();
+    listing_.any_doubtful = true;
     return false;
 }
 } // namespace ode_predictive_space

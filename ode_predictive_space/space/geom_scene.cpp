@@ -340,11 +340,11 @@ bool GeomScene::is_excluded(ProxyId first, ProxyId second)
     return !bits_agree(one, other) || (one->body && one->body == other->body);
 }
 
-void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled)
+void GeomScene::find_disabled(const std::vector<ProxyId> &ids, IdSet &disabled)
 {
-    for (std::size_t i = 0; i < count; ++i)
-        if (!enabled(geoms_[ids[i]]))
-            disabled.push_back(ids[i]);
+    for (ProxyId id : ids)
+        if (!enabled(geoms_[id]))
+            disabled.insert(id);
 }
 
 bool GeomScene::spheres_overlap(dxGeom *one, dxGeom *other)

@@ -132,7 +132,7 @@ public:
     SampledPose pose(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return overlap(geoms_[first], geoms_[second]); }
     bool is_excluded(ProxyId first, ProxyId second) override;
-    void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
+    void find_disabled(const std::vector<ProxyId> &ids, IdSet &disabled) override;
 
     /// Do the bounding boxes overlap and, if the scene is by sphere, the spheres of the sphere test, too?
     bool overlap(dxGeom *one, dxGeom *other) const

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-#include "ode_predictive_space/space/counted_id_set.h"
+#include "ode_predictive_space/broadphase/base/id_set.h"
 
 namespace ode_predictive_space
 {
@@ -46,8 +46,7 @@ public:
     std::size_t bytes() const { return geoms_.bytes() + unknown_.bytes(); }
 
 private:
-    CountedIdSet geoms_;
-    IdSet unknown_;
+    IdSet geoms_, unknown_;
     std::atomic<bool> known_{true}; // unknown_ is empty
 };
 } // namespace ode_predictive_space

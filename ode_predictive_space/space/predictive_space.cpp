@@ -138,7 +138,7 @@ void dxPredictiveSpace::fit_to_proxies()
         free_memory(pairs_);
     }
     off_line_.resize(size);
-    for (CountedIdSet *set : {&polled_, &unclassified_})
+    for (IdSet *set : {&polled_, &unclassified_})
         set->resize(size);
     resize_array(geoms_, size); // last: an equal size means that all are resized
 }

@@ -11,7 +11,6 @@
 
 #include "ode_predictive_space/broadphase/broadphase.h"
 #include "ode_predictive_space/space/access.h"
-#include "ode_predictive_space/space/counted_id_set.h"
 #include "ode_predictive_space/space/geom_scene.h"
 #include "ode_predictive_space/space/hash_levels.h"
 #include "ode_predictive_space/space/off_line_geoms.h"
@@ -168,9 +167,9 @@ private:
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // indexed by proxy number; null for gaps
 
-    ode_predictive_space::CountedIdSet unclassified_; // geoms added since the last update, of unknown class
-    ode_predictive_space::CountedIdSet polled_;       // meshes and spaces, which change without notice
-    const dxGeom *moved_mesh_ = nullptr;              // the mesh of the last notice of a mesh
+    ode_predictive_space::IdSet unclassified_; // geoms added since the last update, of unknown class
+    ode_predictive_space::IdSet polled_;       // meshes and spaces, which change without notice
+    const dxGeom *moved_mesh_ = nullptr;       // the mesh of the last notice of a mesh
     ode_predictive_space::OffLineGeoms off_line_;
     ode_predictive_space::Access access_;
 

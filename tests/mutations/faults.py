@@ -79,8 +79,8 @@ def notice_faults():
     yield Fault(
         "growth_of_a_sphere_ignored", "notices", entry, "object.radius() <= place.watched_radius()", "true", reports)
     yield Fault(
-        "doubtful_moves_ignored", "notices", entry, "place.note_doubtful_move(clock_.update);\n    listing_.listed.demand();", "",
-        (("shape_contract", "ShapeProximity.*"),))
+        "doubtful_moves_ignored", "notices", entry, "place.note_doubtful_move(clock_.update);\n    listing_.any_doubtful = true;", "",
+        (("histories", "*breathing*"),))
     yield Fault(
         "stretched_on_its_body", "notices", SOURCES + "space/noticed_geom.h",
         "return geom_->type == dSphereClass || keeps_within_sphere(rotation());", "return geom_->type == dSphereClass || geom_->body;",
@@ -120,8 +120,8 @@ def notice_faults():
         (("broadphase", "Tick.*:Resting.*:*AnyWorld*"),))
     yield Fault(
         "enabled_unnoticed", "notices", tick,
-        "idle_.drop_enabled(scene, [this](ProxyId id) { request(id); });",
-        "idle_.drop_enabled(scene, [](ProxyId) {});", (("broadphase", "*Idle*"),))
+        "        if (!idle_.contains(id))\n            request(id);\n",
+        "        (void)id;\n", (("broadphase", "*Idle*"),))
 
 
 def predict_faults():
@@ -262,7 +262,7 @@ def index_faults():
         "list_left_out_when_the_index_is_built", "index", index, "list_.add(swept);\n        else", ";\n        else", indices)
     yield Fault(
         "rounded_to_the_wrong_side", "index", BROADPHASE + "base/float_box.h",
-        "Float4::rounded_down(box.max().data(), 1, -1)", "-Float4::rounded_down(box.max().data(), 1, 1)",
+        "Float4::rounded_down(box.max().data(), -1)", "-Float4::rounded_down(box.max().data(), 1)",
         (("contract", "Contract.01_*:Contract.09_*"), ("broadphase", "FloatBox.*:Rounding.*")))
     yield Fault(
         "touching_boxes_apart", "index", BROADPHASE + "base/four_boxes.h",
@@ -313,11 +313,11 @@ def near_faults():
         "lost_retire", "near", tick, "near_.retire(id);\n        batch_.add(id);", "batch_.add(id);",
         (("broadphase", "Broadphase.*:Tick.*:*AnyWorld*"),))
     yield Fault(
-        "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n    index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
+        "pairs_of_the_gone_kept", "near", tick, "near_.retire(id);\n        index_", "index_", (("broadphase", "Broadphase.*:*AnyWorld*"),))
     yield Fault("moves_of_resting_pairs_ignored", "near", tick, "return near_.disturb(id);", "return;", sets)
     yield Fault(
-        "rests_unwatched", "near", near, "newly_resting_.push_back(id);", "", sets)
-    yield Fault("lost_when_disturbed", "near", near, "active.push_back(pair);\n        else", "(void)pair;\n        else", sets)
+        "rests_unwatched", "near", near, "        places[id].stop_watching();\n", "", sets)
+    yield Fault("lost_when_disturbed", "near", near, "            active.push_back(pair);\n", "            (void)pair;\n", sets)
     numbers = (("broadphase", "UpdateNumber*:Resting*"),)
     yield Fault("rests_an_update_early", "near", tick, "(clock_.update - 1) & Place::last_update", "clock_.update & Place::last_update", numbers)
     yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", numbers)
@@ -337,11 +337,11 @@ def near_faults():
         "rests_while_one_moves", "near", BROADPHASE + "near/near_set.h", "rests(pair.first) && rests(pair.second);",
         "rests(pair.first) || rests(pair.second);", sets)
     yield Fault(
-        "rests_as_it_was", "near", near, "rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair);",
-        "rest(by_box_.separated, pair);", sets)
+        "rests_as_it_was", "near", near, "rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair, test.places);",
+        "rest(by_box_.separated, pair, test.places);", sets)
     yield Fault(
         "resting_pairs_not_reported", "near", near,
-        "return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);", "return end;", sets)
+        "    end = std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);\n", "", sets)
     yield Fault(
         "settings_ignored_at_rest", "near", tick, "    interrupted_ = true; // pair states belong to the former margin\n", "",
         (("shape_contract", "ShapeProximity.*"),))
@@ -383,12 +383,12 @@ def shape_faults():
         "vertices_taken_for_packed", "shapes", SOURCES + "surface/triangle_arrays.h", "(vertices, vertex_stride, index)",
         "(vertices, 3 * sizeof(Real), index)", contacts)
     yield Fault(
-        "dropped_margin", "shapes", test, "touching_distance(first, second, margin_)", "touching_distance(first, second, 0)",
+        "dropped_margin", "shapes", test, "reach = touching_distance(first, second, margin)", "reach = touching_distance(first, second, 0)",
         proximity)
     yield Fault(
         "dropped_slack_of_contacts", "shapes", test, " + contact_slack * std::min(first.size, second.size)", "", proximity)
     yield Fault(
-        "postponed_past_the_margin", "shapes", test, "(gap.length - margin)", "(gap.length + margin)", proximity + contacts)
+        "postponed_past_the_margin", "shapes", test, "(gap.length - reach)", "(gap.length + reach)", proximity + contacts)
     yield Fault(
         "gap_of_the_second_too_large", "shapes", gap, "- second.reach(-axis);", "- 0.9 * second.reach(-axis);",
         (("shapes", "Gap.*"),))
@@ -526,7 +526,7 @@ def shape_faults():
         "            apart_.insert(id);", "            apart_.erase(id);", (("shape_contract", "HullData.*"),))
     yield Fault(
         "pairs_that_touch_keep_old_data", "shapes", BROADPHASE + "near/near_set.cpp",
-        "    if (all_shapes)\n        test.shapes().add_owners_to(wanted_);\n", "", (("shape_contract", "HullData.*"),))
+        "    if (all_shapes)\n        test.shapes.add_owners_to(wanted_);\n", "", (("shape_contract", "HullData.*"),))
     yield Fault(
         "data_of_what_has_not_moved_are_not_compared", "shapes", BROADPHASE + "objects/measured_shapes.cpp",
         "return !(shape.hull || shape.awaits_hull) || !scene.hull_is_outdated(id, shape);",
@@ -678,7 +678,7 @@ def space_faults():
         "compute_box_beside_others(geom);", nests)
     yield Fault(
         "new_spaces_stay_dirty_when_cleaned", "space", space, "    poll_moves();\n    for (dxGeom *geom = first;",
-        "    CountedIdSet unclassified = unclassified_;\n    unclassified_.clear();\n    poll_moves();\n    unclassified_ = unclassified;\n"
+        "    const IdSet unclassified = unclassified_;\n    unclassified_.clear();\n    poll_moves();\n    unclassified_ = unclassified;\n"
         "    for (dxGeom *geom = first;", nests)
     yield Fault(
         "moved_spaces_stay_dirty_when_cleaned", "space", space, "    poll_moves();\n    for (dxGeom *geom = first;",

@@ -257,7 +257,7 @@ protected:
         GapCache cache(Payer::none);
         GapBudget budget;
         std::uint64_t gap_checks = 0;
-        return ShapeTest({scene, proxies, shapes}, boxes, 0, gap_checks).check_gap({0, 1}, cache, budget);
+        return ShapeTest{boxes, proxies, shapes, 0, gap_checks}.check_gap({0, 1}, cache, budget);
     }
 
     double thinnest_ = 0.03; // shortest side, relative to the size

@@ -25,8 +25,7 @@ public:
 
     void clear()
     {
-        for (ProxyId id : ids_)
-            members_.erase(id);
+        members_.clear();
         clear_scratch(ids_);
     }
 

@@ -20,8 +20,8 @@ struct FloatBox
 
     static FloatBox around(const Box &box)
     {
-        const Float4 low = Float4::rounded_down(box.min().data(), 1, 1);
-        const Float4 minus_high = Float4::rounded_down(box.max().data(), 1, -1);
+        const Float4 low = Float4::rounded_down(box.min().data(), 1);
+        const Float4 minus_high = Float4::rounded_down(box.max().data(), -1);
         const Float4 most = Float4::all(std::numeric_limits<float>::max());
         if (((max(abs(low), abs(minus_high)) <= most) & (abs(low) <= most)).bits() == four_lanes)
             return of(low, -minus_high);

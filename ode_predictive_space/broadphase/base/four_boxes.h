@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include "ode_predictive_space/broadphase/base/float_box.h"
 

@@ -4,7 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ID_SET_H
 
 #include <algorithm>
-#include <bitset>
 #include <cstddef>
 #include <vector>
 
@@ -23,30 +22,38 @@ public:
         const std::size_t words = (count + bits_per_word - 1) / bits_per_word;
         const bool shrinks = words < words_.size();
         words_.resize(words);
-        if (shrinks)
-            words_.shrink_to_fit();
+        if (!shrinks)
+            return;
+        words_.shrink_to_fit();
+        size_ = 0;
+        for_each([this](ProxyId) { ++size_; });
     }
 
-    void insert(ProxyId id) { words_[id / bits_per_word] |= bit(id); }
-    void erase(ProxyId id) { words_[id / bits_per_word] &= ~bit(id); }
+    void insert(ProxyId id)
+    {
+        std::uint64_t &word = words_[id / bits_per_word];
+        size_ += (word & bit(id)) == 0;
+        word |= bit(id);
+    }
+
+    void erase(ProxyId id)
+    {
+        std::uint64_t &word = words_[id / bits_per_word];
+        size_ -= (word & bit(id)) != 0;
+        word &= ~bit(id);
+    }
+
+    void clear()
+    {
+        if (empty())
+            return;
+        std::fill(words_.begin(), words_.end(), 0);
+        size_ = 0;
+    }
+
     bool contains(ProxyId id) const { return (words_[id / bits_per_word] & bit(id)) != 0; }
-
-    bool empty() const
-    {
-        return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
-    }
-
-    void clear() { std::fill(words_.begin(), words_.end(), 0); }
-
-    std::size_t size() const
-    {
-        std::size_t members = 0;
-        for (std::uint64_t word : words_)
-            members += count(word);
-        return members;
-    }
-
-    static std::size_t count(std::uint64_t word) { return word == 0 ? 0 : std::bitset<bits_per_word>(word).count(); }
+    bool empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
 
     std::size_t words() const { return words_.size(); }
     std::uint64_t word(std::size_t index) const { return words_[index]; }
@@ -70,6 +77,7 @@ private:
     static std::uint64_t bit(ProxyId id) { return std::uint64_t{1} << (id % bits_per_word); }
 
     std::vector<std::uint64_t> words_;
+    std::size_t size_ = 0;
 };
 } // namespace ode_predictive_space
 

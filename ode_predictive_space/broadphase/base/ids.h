@@ -10,7 +10,6 @@ namespace ode_predictive_space
 {
 /// A dense number, reused after removal.
 using ProxyId = std::uint32_t;
-constexpr ProxyId no_proxy = ~ProxyId{0};
 
 /// Time in ticks. It wraps around, so only differences are meaningful.
 using Tick = std::uint32_t;

@@ -4,8 +4,6 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_BASE_ORIGIN_H
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include "ode_predictive_space/broadphase/base/rounding.h"

@@ -16,13 +16,6 @@ inline void prefetch(const void *address)
     asm volatile("");
 }
 
-/// @param begin the beginning of a cache line.
-template <std::size_t bytes> void prefetch_lines(const void *begin)
-{
-    for (std::size_t offset = 0; offset < bytes; offset += 64)
-        prefetch(static_cast<const char *>(begin) + offset);
-}
-
 template <std::size_t bytes> void prefetch_block(const void *begin)
 {
     constexpr std::size_t line = 64;

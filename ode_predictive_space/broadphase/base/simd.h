@@ -71,12 +71,12 @@ public:
         return {first[0], first[stride], first[2 * stride], 0};
     }
 
-    /// round_down() of sign, 1 or -1, times three numbers that are `stride` apart. @pre they are finite as floats.
-    static Float4 rounded_down(const double *first, std::ptrdiff_t stride, double sign)
+    /// round_down() of sign, 1 or -1, times three numbers. @pre they are finite as floats.
+    static Float4 rounded_down(const double *three, double sign)
     {
         const __m128d signs = _mm_set1_pd(sign);
-        const __m128d xy = _mm_mul_pd(_mm_loadh_pd(_mm_load_sd(first), first + stride), signs),
-                      z = _mm_mul_pd(_mm_load_sd(first + 2 * stride), signs);
+        const __m128d xy = _mm_mul_pd(_mm_loadh_pd(_mm_load_sd(three), three + 1), signs),
+                      z = _mm_mul_pd(_mm_load_sd(three + 2), signs);
         const Float4 nearest = joined(xy, z);
         const Float4 finite = min(abs(nearest), all(std::numeric_limits<float>::max()));
         const Float4 margin =
@@ -85,11 +85,6 @@ public:
         const __m128d above_z = _mm_cmpgt_pd(_mm_cvtps_pd(_mm_movehl_ps(nearest.lanes_, nearest.lanes_)), z);
         const __m128 above = _mm_shuffle_ps(_mm_castpd_ps(above_xy), _mm_castpd_ps(above_z), _MM_SHUFFLE(2, 0, 2, 0));
         return nearest - Float4(_mm_and_ps(above, margin.lanes_));
-    }
-
-    static Float4 rounded_down(const float *first, std::ptrdiff_t stride, double sign)
-    {
-        return all(static_cast<float>(sign)) * nearest_of_stored(first, stride);
     }
 
     void store(float *four) const { _mm_storeu_ps(four, lanes_); }

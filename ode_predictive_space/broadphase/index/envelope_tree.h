@@ -161,7 +161,7 @@ void EnvelopeTree::walk_together(const Probe *probes, std::size_t count, Visit v
                 if (content < 0)
                     return visit(step.probe, static_cast<ProxyId>(~content));
                 waiting[end++ % walk_room] = {content, step.probe};
-                prefetch_lines<sizeof(Node)>(&nodes_[content]);
+                prefetch_block<sizeof(Node)>(&nodes_[content]);
             });
     }
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace ode_predictive_space
@@ -43,19 +42,6 @@ struct Moments
     }
 };
 
-struct AxisSpread
-{
-    int axis;
-    Moments centres;
-
-    AxisSpread(const std::vector<SweptProxy> &items, int along)
-        : axis(along),
-          centres(items, [along](const FloatBox &box) { return 0.5f * (box.low[along] + box.high[along]); })
-    {}
-
-    bool operator>(const AxisSpread &other) const { return centres.variance > other.centres.variance; }
-};
-
 // Sorts by the upper halves, from the least significant digit on. Digits are as wide as allowed and cover only bits that vary.
 void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &scratch)
 {
@@ -87,13 +73,17 @@ void radix_sort(std::vector<std::uint64_t> &order, std::vector<std::uint64_t> &s
 
 SortAndSweep::Layout SortAndSweep::Layout::fit_for(const Items &items)
 {
-    std::array<AxisSpread, 3> spreads = {AxisSpread(items, 0), AxisSpread(items, 1), AxisSpread(items, 2)};
-    std::sort(spreads.begin(), spreads.end(), std::greater<>());
-    const auto cut = [](const AxisSpread &spread, float places) {
-        const auto half = static_cast<float>(tuning::deviations_per_half * std::sqrt(spread.centres.variance));
-        return Scale{spread.axis, static_cast<float>(spread.centres.mean) - half, half > 0 ? places / (2 * half) : 0};
+    const auto centres = [&items](int axis) {
+        return Moments(items, [axis](const FloatBox &box) { return 0.5f * (box.low[axis] + box.high[axis]); });
     };
-    Layout layout{cut(spreads[0], last_place), cut(spreads[1], places_beside), cut(spreads[2], places_beside), 0};
+    const std::array<Moments, 3> of_axis = {centres(0), centres(1), centres(2)};
+    std::array<int, 3> axes = {0, 1, 2}; // the widest spread first
+    std::sort(axes.begin(), axes.end(), [&](int a, int b) { return of_axis[a].variance > of_axis[b].variance; });
+    const auto cut = [&](int axis, float places) {
+        const auto half = static_cast<float>(tuning::deviations_per_half * std::sqrt(of_axis[axis].variance));
+        return Scale{axis, static_cast<float>(of_axis[axis].mean) - half, half > 0 ? places / (2 * half) : 0};
+    };
+    Layout layout{cut(axes[0], last_place), cut(axes[1], places_beside), cut(axes[2], places_beside), 0};
     layout.slab_bits = layout.bits_of_slabs(items);
     return layout;
 }
@@ -173,11 +163,12 @@ void SortAndSweep::set_columns(const Sides *sides)
     const std::size_t count = order_.size();
     keys_.assign(count + spare, last_key);
     ends_.resize(count);
-    columns_.resize(count + spare);
+    for (std::vector<std::int16_t> *column : {&low_y_, &high_y_, &low_z_, &high_z_})
+        column->resize(count + spare);
     const std::uint64_t *const order = order_.data();
     std::uint32_t *const keys = keys_.data(), *const ends = ends_.data();
-    std::int16_t *const low_y = columns_.low_y(), *const high_y = columns_.high_y(), *const low_z = columns_.low_z(),
-                        *const high_z = columns_.high_z();
+    std::int16_t *const low_y = low_y_.data(), *const high_y = high_y_.data(), *const low_z = low_z_.data(),
+                        *const high_z = high_z_.data();
     for (std::size_t i = 0; i < count; ++i)
     {
         const Sides &of_box = sides[order[i] & item_mask];
@@ -228,6 +219,6 @@ std::size_t SortAndSweep::find_bounded_pairs(const Items &items, Pairs &pairs)
 std::size_t SortAndSweep::bytes() const
 {
     return list_.bytes() + bytes_of(bounded_) + bytes_of(unbounded_) + bytes_of(order_) + bytes_of(other_order_) +
-           bytes_of(keys_) + bytes_of(ends_) + bytes_of(sides_) + columns_.bytes();
+           bytes_of(keys_) + bytes_of(ends_) + bytes_of(sides_) + 4 * bytes_of(low_y_);
 }
 } // namespace ode_predictive_space

@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_SORT_AND_SWEEP_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_INDEX_SORT_AND_SWEEP_H
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -70,26 +69,6 @@ private:
         Cut low_, high_; // lanes by coordinate; high_ begins in the second lane
     };
 
-    /// The sides of boxes on the y and z axes, in the order of their keys, one array per side.
-    class Columns
-    {
-    public:
-        void resize(std::size_t count)
-        {
-            count_ = count;
-            places_.resize(4 * count);
-        }
-        std::int16_t *low_y() { return places_.data(); }
-        std::int16_t *high_y() { return low_y() + count_; }
-        std::int16_t *low_z() { return high_y() + count_; }
-        std::int16_t *high_z() { return low_z() + count_; }
-        std::size_t bytes() const { return bytes_of(places_); }
-
-    private:
-        std::vector<std::int16_t> places_;
-        std::size_t count_ = 0;
-    };
-
     class Rows;
 
     std::size_t compare_each_with_each(const Items &items, Pairs &pairs);
@@ -109,7 +88,7 @@ private:
     std::vector<std::uint64_t> order_, other_order_; // key in the upper half, number of the item in the lower
     std::vector<std::uint32_t> keys_, ends_;         // low and high key of each element of order_
     std::vector<Sides> sides_;                       // by item
-    Columns columns_;                                // in the order of order_
+    std::vector<std::int16_t> low_y_, high_y_, low_z_, high_z_; // in the order of order_
 };
 } // namespace ode_predictive_space
 

@@ -13,8 +13,8 @@ class SortAndSweep::Rows
 {
 public:
     Rows(SortAndSweep &sweep, const Items &items, const Layout &layout)
-        : items_(items.data()), order_(sweep.order_.data()), keys_(sweep.keys_.data()), low_y_(sweep.columns_.low_y()),
-          high_y_(sweep.columns_.high_y()), low_z_(sweep.columns_.low_z()), high_z_(sweep.columns_.high_z()),
+        : items_(items.data()), order_(sweep.order_.data()), keys_(sweep.keys_.data()), low_y_(sweep.low_y_.data()),
+          high_y_(sweep.high_y_.data()), low_z_(sweep.low_z_.data()), high_z_(sweep.high_z_.data()),
           slab_bits_(layout.slab_bits)
     {}
 

@@ -2,51 +2,29 @@
 
 #include <algorithm>
 
-#include "ode_predictive_space/broadphase/base/prefetch.h"
-
 namespace ode_predictive_space
 {
-void NearSet::begin_report()
+CandidatePair *NearSet::report(const OverlapTest &test, std::optional<ShapeTest> &by_shape, UpdateNumber update,
+                               CandidatePair *room)
 {
-    free_memory(newly_resting_); // few reports use it
     activate_disturbed();
-}
-
-CandidatePair *NearSet::report(const OverlapTest &test, UpdateNumber update, CandidatePair *room)
-{
-    begin_report();
-    CandidatePair *end = report_by_box(test, room);
-    if (is_time_to_rest())
-    {
-        let_rest(test);
-        rested_ = update;
-    }
-    return end;
-}
-
-CandidatePair *NearSet::report(ShapeTest &test, UpdateNumber update, CandidatePair *room)
-{
-    begin_report();
     const bool some_may_rest = is_time_to_rest();
-    CandidatePair *end = report_by_box(test.boxes(), room);
+    CandidatePair *end = test.copy_overlapping(by_box_.active, room);
+    end = std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);
     if (by_shape_.size() > 0)
-        end = report_by_shape(test, some_may_rest, end);
-    if (some_may_rest)
+        end = report_by_shape(*by_shape, some_may_rest, end);
+    if (!some_may_rest)
+        return end;
+    let_rest(test);
+    if (by_shape)
     {
-        let_rest(test.boxes());
-        let_rest_by_shape(test.boxes());
-        rested_ = update;
+        let_rest_by_shape(test);
         wanted_.clear();
         want_all_by_shape();
-        test.keep_only(wanted_);
+        by_shape->shapes.keep_only(wanted_);
     }
+    rested_ = update;
     return end;
-}
-
-CandidatePair *NearSet::report_by_box(const OverlapTest &test, CandidatePair *room)
-{
-    CandidatePair *end = test.copy_overlapping(by_box_.active, room);
-    return std::copy(by_box_.overlapping.begin(), by_box_.overlapping.end(), end);
 }
 
 CandidatePair *NearSet::report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room)
@@ -82,18 +60,18 @@ void NearSet::follow(ShapeTest &test, bool all_shapes)
 {
     wanted_ = apart_;
     if (all_shapes)
-        test.shapes().add_owners_to(wanted_);
+        test.shapes.add_owners_to(wanted_);
     for (std::size_t i = 0; i < gaps_.size(); ++i)
         if (gaps_[i].due > 0)
             want(by_shape_.active[i]);
     test.follow(wanted_);
-    if (!test.shapes().any_renewed())
+    if (test.shapes.renewed().empty())
         return;
-    test.shapes().renewed().for_each([this](ProxyId id) { disturb(id); });
+    test.shapes.renewed().for_each([this](ProxyId id) { disturb(id); });
     activate_disturbed();
     make_gap_caches(test);
     for (std::size_t i = 0; i < gaps_.size(); ++i)
-        if (test.shapes().renewed(by_shape_.active[i]))
+        if (test.shapes.renewed(by_shape_.active[i]))
             gaps_[i] = test.new_gap_cache(by_shape_.active[i]);
 }
 
@@ -113,7 +91,7 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
                 budget_.note_spared(*payer);
             continue;
         }
-        if (!test.boxes()(pair))
+        if (!test.boxes(pair))
         {
             cache.due = 0;
             continue;
@@ -132,8 +110,6 @@ CandidatePair *NearSet::find_open(ShapeTest &test, CandidatePair *room)
 // Hulls of data that change at each tick would cost more than their checks save.
 void NearSet::charge_for_shapes(const MeasuredShapes &shapes)
 {
-    if (!shapes.any_renewed())
-        return;
     shapes.renewed().for_each([&](ProxyId id) {
         if (!shapes.has_shape(id) || !shapes[id].hull)
             return;
@@ -148,7 +124,7 @@ bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, GapCache 
     const ProxyId *payer = cache.payer_of(pair);
     if (cache.pause == 0 && (!payer || budget_.allows_check(*payer)))
     {
-        cache.is_excluded = test.is_excluded(pair);
+        cache.is_excluded = test.boxes.scene.is_excluded(pair.first, pair.second);
         if (!cache.is_excluded)
             return true;
         wait_longer(cache);
@@ -163,7 +139,7 @@ bool NearSet::is_due(const ShapeTest &test, const CandidatePair &pair, GapCache 
 // Removes the written pairs whose shapes cannot touch.
 CandidatePair *NearSet::check_open(ShapeTest &test, CandidatePair *room, CandidatePair *end)
 {
-    charge_for_shapes(test.shapes());
+    charge_for_shapes(test.shapes);
     constexpr CandidatePair none{0, 0};
     CandidatePair *first_taken_back = end;
     for (const auto &[i, place] : open_)
@@ -177,12 +153,9 @@ CandidatePair *NearSet::check_open(ShapeTest &test, CandidatePair *room, Candida
 
 void NearSet::activate_disturbed()
 {
-    if (disturbed_.empty())
+    if (!has_disturbed_)
         return;
-    wanted_.clear();
-    for (ProxyId id : disturbed_)
-        wanted_.insert(id);
-    disturbed_.clear();
+    has_disturbed_ = false;
     for (NearPairs *pairs : {&by_box_, &by_shape_})
     {
         woken_ += activate_disturbed(pairs->overlapping, pairs->active);
@@ -194,10 +167,10 @@ std::size_t NearSet::activate_disturbed(std::vector<CandidatePair> &resting, std
 {
     CandidatePair *left = resting.data();
     for (const CandidatePair &pair : resting)
-        if (wanted_.contains(pair.first) || wanted_.contains(pair.second))
-            active.push_back(pair);
-        else
+        if (resting_.contains(pair.first) && resting_.contains(pair.second))
             *left++ = pair;
+        else
+            active.push_back(pair);
     const auto kept = static_cast<std::size_t>(left - resting.data());
     const std::size_t activated = resting.size() - kept;
     resting.resize(kept);
@@ -210,7 +183,7 @@ void NearSet::let_rest(const OverlapTest &test)
     CandidatePair *left = active.data();
     for (const CandidatePair &pair : active)
         if (may_rest(pair, test.places))
-            rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair);
+            rest(test(pair) ? by_box_.overlapping : by_box_.separated, pair, test.places);
         else
             *left++ = pair;
     active.resize(static_cast<std::size_t>(left - active.data()));
@@ -223,7 +196,7 @@ void NearSet::let_rest_by_shape(const OverlapTest &test)
     keep_by_shape([&](const CandidatePair &pair, std::size_t i) {
         const bool rests = may_rest(pair, test.places);
         if (rests)
-            rest(gaps_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair);
+            rest(gaps_[i].due == 0 && test(pair) ? by_shape_.overlapping : by_shape_.separated, pair, test.places);
         return !rests;
     });
     give_back_spare(by_shape_.active);
@@ -233,38 +206,26 @@ void NearSet::let_rest_by_shape(const OverlapTest &test)
             apart_.insert(id);
 }
 
-void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair)
+// Each object is listed at its next notice.
+void NearSet::rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places)
 {
     pairs.push_back(pair);
     for (ProxyId id : {pair.first, pair.second})
     {
         resting_.insert(id);
-        newly_resting_.push_back(id);
+        places[id].stop_watching();
     }
 }
 
 void NearSet::clear()
 {
     for (NearPairs *pairs : {&by_box_, &by_shape_})
-        for (std::vector<CandidatePair> *list : {&pairs->active, &pairs->overlapping, &pairs->separated})
-            list->clear();
-    gaps_.clear();
-    resting_.clear();
-    apart_.clear();
-    disturbed_.clear();
-    std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
-    has_retired_ = false;
-}
-
-void NearSet::release()
-{
-    clear();
-    for (NearPairs *pairs : {&by_box_, &by_shape_})
-        for (std::vector<CandidatePair> *list : {&pairs->active, &pairs->overlapping, &pairs->separated})
-            free_memory(*list);
+        *pairs = NearPairs();
     free_memory(gaps_);
     free_memory(open_);
-    free_memory(disturbed_);
-    free_memory(newly_resting_);
+    resting_.clear();
+    apart_.clear();
+    std::fill(is_retired_.begin(), is_retired_.end(), std::uint8_t{0});
+    has_retired_ = has_disturbed_ = false;
 }
 } // namespace ode_predictive_space

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_set.h"
@@ -63,28 +64,24 @@ public:
     {
         if (!resting_.contains(id))
             return;
-        disturbed_.push_back(id);
         resting_.erase(id);
+        has_disturbed_ = true;
     }
-    bool rests(ProxyId id) const { return resting_.contains(id); }
 
     /// Drops the pairs of all retired objects, after visit(pair).
     template <typename Visit> void drop_retired(Visit visit);
 
     std::size_t most_pairs() const { return by_box_.size() + by_shape_.size(); }
 
-    /// Writes the pairs that overlap. At some reports, pairs whose objects have not moved come to rest.
+    /// Writes the pairs that overlap; those that were added by shape, only if their shapes may touch, too. At some reports, pairs
+    /// whose objects have not moved come to rest: the places of these are not watched any more.
+    /// @param by_shape updates shapes as needed; none by box and by sphere.
     /// @param room for most_pairs(). @return the end of the written pairs.
-    CandidatePair *report(const OverlapTest &test, UpdateNumber update, CandidatePair *room);
+    CandidatePair *report(const OverlapTest &test, std::optional<ShapeTest> &by_shape, UpdateNumber update,
+                          CandidatePair *room);
 
-    /// As above, but pairs that were added by shape are written only if their shapes may touch, too. Updates shapes as needed.
-    CandidatePair *report(ShapeTest &test, UpdateNumber update, CandidatePair *room);
-
-    /// The objects of pairs that came to rest in the last report, possibly repeated. Each must be listed at its next notice.
-    const std::vector<ProxyId> &newly_resting() const { return newly_resting_; }
-
+    /// Gives the memory back, too.
     void clear();
-    void release();
 
     /// Calls visit(pair, state) for all pairs that are not stale.
     template <typename Visit> void for_each(Visit visit) const
@@ -108,16 +105,13 @@ public:
         }
     }
 
-    /// Includes stale pairs.
-    const std::vector<CandidatePair> &active() const { return by_box_.active; }
     std::size_t resting() const { return by_box_.resting() + by_shape_.resting(); }
     std::uint64_t woken() const { return woken_; }
 
     std::size_t bytes() const
     {
-        return by_box_.bytes() + by_shape_.bytes() + bytes_of(gaps_) + bytes_of(is_retired_) + bytes_of(disturbed_) +
-               bytes_of(newly_resting_) + resting_.bytes() + apart_.bytes() + wanted_.bytes() + bytes_of(open_) +
-               budget_.bytes();
+        return by_box_.bytes() + by_shape_.bytes() + bytes_of(gaps_) + bytes_of(is_retired_) + resting_.bytes() +
+               apart_.bytes() + wanted_.bytes() + bytes_of(open_) + budget_.bytes();
     }
 
 private:
@@ -128,8 +122,6 @@ private:
         std::uint32_t place;  ///< index in the written pairs
     };
 
-    void begin_report();
-    CandidatePair *report_by_box(const OverlapTest &test, CandidatePair *room);
     CandidatePair *report_by_shape(ShapeTest &test, bool all_shapes, CandidatePair *room);
     void make_gap_caches(const ShapeTest &test);
     void follow(ShapeTest &test, bool all_shapes);
@@ -163,7 +155,7 @@ private:
         const auto rests = [&](ProxyId id) { return updates_between(rested_, places[id].moved()) <= 0; };
         return rests(pair.first) && rests(pair.second);
     }
-    void rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair);
+    void rest(std::vector<CandidatePair> &pairs, const CandidatePair &pair, Place *places);
 
     bool is_retired(const CandidatePair &pair) const
     {
@@ -179,11 +171,10 @@ private:
     }
 
     NearPairs by_box_, by_shape_;
-    std::vector<GapCache> gaps_;     // by index of by_shape_.active; pairs without a test yet have none
-    IdSet resting_;                  // objects with resting pairs
-    std::vector<ProxyId> disturbed_; // objects whose resting pairs must become active
-    std::vector<ProxyId> newly_resting_;
-    IdSet apart_; // objects with a separated pair by shape, as of the last let_rest_by_shape()
+    std::vector<GapCache> gaps_; // by index of by_shape_.active; pairs without a test yet have none
+    IdSet resting_;              // objects with resting pairs
+    bool has_disturbed_ = false; // some resting pairs have an object that is not in resting_ any more
+    IdSet apart_;                // objects with a separated pair by shape, as of the last let_rest_by_shape()
     std::uint64_t woken_ = 0;
     unsigned reports_ = 0;
     UpdateNumber rested_ = 0;              // the last update at which pairs could come to rest

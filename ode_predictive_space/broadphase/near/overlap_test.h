@@ -14,7 +14,7 @@ namespace ode_predictive_space
 struct OverlapTest
 {
     Scene &scene;
-    const Place *places;
+    Place *places;
     bool by_sphere; ///< bounding spheres must overlap, too
     Float4 doubt;   ///< Origin::doubt()
     Float4 certain; ///< tight boxes that overlap by more overlap for certain, anywhere; infinite by sphere

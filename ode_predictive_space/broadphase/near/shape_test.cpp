@@ -39,6 +39,19 @@ bool is_within_hull(const Vector3 &point, const ConvexShape &mesh)
     return mesh.kind == ShapeKind::terrain ||
            (mesh.along_axes(point - mesh.centre).cwiseAbs().array() <= mesh.half_sides.array()).all();
 }
+
+// The gap between the hulls; without one, the gap to a surface. A shape inside a mesh's hull skips the first search.
+Gap gap_between(const ConvexShape &first, const ConvexShape &second, const GapCache &cache, double margin)
+{
+    const ConvexShape *surface = surface_of(first, second);
+    Gap gap;
+    if (!surface || !is_within_hull(surface == &first ? second.centre : first.centre, *surface))
+        gap = find_gap(first, second, Vector3(cache.axis[0], cache.axis[1], cache.axis[2]), margin);
+    if (!surface || gap.length > margin)
+        return gap;
+    gap.improve(surface_gap(first, second, margin));
+    return gap;
+}
 } // namespace
 
 void wait_longer(GapCache &cache)
@@ -59,23 +72,9 @@ bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, doubl
              surface_gap(first, second, distance).length > distance);
 }
 
-// The gap between the hulls; without one, the gap to a surface. A shape inside a mesh's hull skips the first search.
-Gap ShapeTest::gap_between(const CandidatePair &pair, const GapCache &cache, double margin)
-{
-    const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
-    const ConvexShape *surface = surface_of(first, second);
-    Gap gap;
-    if (!surface || !is_within_hull(surface == &first ? second.centre : first.centre, *surface))
-        gap = find_gap(first, second, Vector3(cache.axis[0], cache.axis[1], cache.axis[2]), margin);
-    if (!surface || gap.length > margin)
-        return gap;
-    gap.improve(surface_gap(first, second, margin));
-    return gap;
-}
-
 GapCache ShapeTest::new_gap_cache(const CandidatePair &pair) const
 {
-    const std::vector<ProxyRecord> &records = objects_.proxies.records;
+    const std::vector<ProxyRecord> &records = proxies.records;
     const auto is_hand = [&](ProxyId id) { return records[id].role == Role::fixed_interactive; };
     if (is_hand(pair.first) || is_hand(pair.second))
         return GapCache(Payer::none);
@@ -84,29 +83,29 @@ GapCache ShapeTest::new_gap_cache(const CandidatePair &pair) const
 
 bool ShapeTest::check_gap(const CandidatePair &pair, GapCache &cache, GapBudget &budget)
 {
-    const ConvexShape &first = shapes()[pair.first], &second = shapes()[pair.second];
+    const ConvexShape &first = shapes[pair.first], &second = shapes[pair.second];
     if (cache.due > 0)
         cache.last_pause = 0;
     cache.due = 0;
-    const double margin = touching_distance(first, second, margin_);
-    if (touch_within(first, second, margin))
+    const double reach = touching_distance(first, second, margin);
+    if (touch_within(first, second, reach))
     {
         wait_longer(cache);
         return true;
     }
-    ++checks_;
-    const Gap gap = gap_between(pair, cache, margin);
+    ++checks;
+    const Gap gap = gap_between(first, second, cache, reach);
     if (const ProxyId *payer = cache.payer_of(pair))
         budget.note_check(*payer, gap.work);
     for (Eigen::Index i = 0; i < 3; ++i)
         cache.axis[i] = static_cast<float>(gap.axis[i]);
-    if (!(gap.length > margin))
+    if (!(gap.length > reach))
     {
         wait_longer(cache);
         return true;
     }
     constexpr double rounds_down = 1 - 8 * std::numeric_limits<double>::epsilon();
-    cache.due = rounds_down * (shapes().travel(pair) + (gap.length - margin));
+    cache.due = rounds_down * (shapes.travel(pair) + (gap.length - reach));
     return false;
 }
 } // namespace ode_predictive_space

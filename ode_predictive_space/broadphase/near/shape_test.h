@@ -50,46 +50,23 @@ double touching_distance(const ConvexShape &first, const ConvexShape &second, do
 /// False if a gap exceeds the touching distance.
 bool shapes_may_touch(const ConvexShape &first, const ConvexShape &second, double margin);
 
-class ShapeTest
+struct ShapeTest
 {
-public:
-    struct Objects
-    {
-        Scene &scene;
-        const ProxyStore &proxies;
-        MeasuredShapes &shapes;
-    };
+    const OverlapTest &boxes;
+    const ProxyStore &proxies;
+    MeasuredShapes &shapes;
+    double margin;
+    std::uint64_t &checks; ///< counts gap checks
 
-    ShapeTest(const Objects &objects, const OverlapTest &boxes, double margin, std::uint64_t &checks)
-        : objects_(objects), boxes_(boxes), margin_(margin), checks_(checks)
-    {}
-
-    void follow(const IdSet &wanted) { objects_.shapes.update(objects_.scene, wanted, objects_.proxies); }
-    void keep_only(const IdSet &wanted) { objects_.shapes.keep_only(wanted); }
+    void follow(const IdSet &wanted) { shapes.update(boxes.scene, wanted, proxies); }
 
     /// Whether the gap cannot have closed since the last check. @pre if that check found a gap, follow() of both objects.
-    bool postpones(const CandidatePair &pair, const GapCache &cache) const
-    {
-        return objects_.shapes.travel(pair) < cache.due;
-    }
-
-    const OverlapTest &boxes() const { return boxes_; }
-    bool is_excluded(const CandidatePair &pair) const { return objects_.scene.is_excluded(pair.first, pair.second); }
+    bool postpones(const CandidatePair &pair, const GapCache &cache) const { return shapes.travel(pair) < cache.due; }
 
     GapCache new_gap_cache(const CandidatePair &pair) const;
 
     /// Checks a gap and decides when the next check is due. @pre follow() of both. @return whether the shapes may touch.
     bool check_gap(const CandidatePair &pair, GapCache &cache, GapBudget &budget);
-
-    const MeasuredShapes &shapes() const { return objects_.shapes; }
-
-private:
-    Gap gap_between(const CandidatePair &pair, const GapCache &cache, double margin);
-
-    Objects objects_;
-    OverlapTest boxes_;
-    double margin_;
-    std::uint64_t &checks_;
 };
 } // namespace ode_predictive_space
 

@@ -25,9 +25,7 @@ void MeasuredShapes::resize(std::size_t count)
 {
     if (!in_use_)
         return;
-    for (std::size_t id = count; id < places_.size(); ++id)
-        forget(static_cast<ProxyId>(id));
-    resize_array(places_, count);
+    resize_array(shapes_, count);
     resize_array(travels_, count);
     resize_array(seen_, count);
     for (IdSet *set : {&renewed_, &awaited_})
@@ -38,24 +36,17 @@ void MeasuredShapes::resize(std::size_t count)
 
 void MeasuredShapes::forget(ProxyId id)
 {
-    if (!in_use_ || id >= places_.size() || !has_shape(id))
+    if (id >= shapes_.size())
         return;
-    const std::size_t last = owners_.size() - 1;
-    shapes_[place_of(id)] = std::move(shapes_[last]);
-    owners_[place_of(id)] = owners_[last];
-    places_[owners_[last]] = places_[id];
-    shapes_.resize(last);
-    owners_.resize(last);
-    places_[id] = 0;
+    shapes_[id].reset();
     awaited_.erase(id);
 }
 
 void MeasuredShapes::keep_only(const IdSet &wanted)
 {
-    for (std::size_t place = owners_.size(); place-- > 0;)
-        if (!wanted.contains(owners_[place]))
-            forget(owners_[place]);
-    give_back_spare(shapes_);
+    for (std::size_t id = 0; id < shapes_.size(); ++id)
+        if (!wanted.contains(static_cast<ProxyId>(id)))
+            forget(static_cast<ProxyId>(id));
 }
 
 void MeasuredShapes::update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies)
@@ -80,26 +71,17 @@ bool MeasuredShapes::is_current(Scene &scene, ProxyId id, UpdateNumber moved) co
     return !(shape.hull || shape.awaits_hull) || !scene.hull_is_outdated(id, shape);
 }
 
-// Collects pointers only after all places exist, because adding one may move the shapes.
-void MeasuredShapes::make_places()
-{
-    for (ProxyId id : stale_)
-        if (!has_shape(id))
-        {
-            shapes_.resize(owners_.size() + 1);
-            owners_.push_back(id);
-            places_[id] = static_cast<std::uint32_t>(owners_.size());
-        }
-    followed_.clear();
-    for (ProxyId id : stale_)
-        followed_.push_back(&shapes_[place_of(id)]);
-}
-
 void MeasuredShapes::follow_stale(Scene &scene)
 {
     if (stale_.empty())
         return;
-    make_places();
+    followed_.clear();
+    for (ProxyId id : stale_)
+    {
+        if (!has_shape(id))
+            shapes_[id] = std::make_unique<ConvexShape>();
+        followed_.push_back(shapes_[id].get());
+    }
     if (moves_.size() < stale_.size())
         moves_.resize(stale_.size());
     scene.follow(stale_.data(), stale_.size(), followed_.data(), moves_.data());
@@ -116,23 +98,14 @@ void MeasuredShapes::note(ProxyId id, double move)
     if (move < std::numeric_limits<double>::infinity())
         travels_[id] = rounds_up * (travels_[id] + move);
     else
-    {
         renewed_.insert(id);
-        any_renewed_ = true;
-    }
-}
-
-void MeasuredShapes::clear_renewed()
-{
-    if (!any_renewed_)
-        return;
-    renewed_.clear();
-    any_renewed_ = false;
 }
 
 std::size_t MeasuredShapes::bytes() const
 {
-    return bytes_of(shapes_) + bytes_of(owners_) + bytes_of(places_) + bytes_of(travels_) + bytes_of(followed_) +
+    const auto measured =
+        shapes_.size() - static_cast<std::size_t>(std::count(shapes_.begin(), shapes_.end(), nullptr));
+    return bytes_of(shapes_) + measured * sizeof(ConvexShape) + bytes_of(travels_) + bytes_of(followed_) +
            bytes_of(moves_) + bytes_of(seen_) + renewed_.bytes() + awaited_.bytes() + bytes_of(stale_);
 }
 } // namespace ode_predictive_space

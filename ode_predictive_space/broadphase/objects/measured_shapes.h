@@ -3,7 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_OBJECTS_MEASURED_SHAPES_H
 
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ode_predictive_space/broadphase/base/id_set.h"
@@ -33,26 +33,26 @@ public:
     void update(Scene &scene, const IdSet &wanted, const ProxyStore &proxies);
 
     /// Whether shapes were measured for the first time, or replaced, since clear_renewed(). Travels do not cover such changes.
-    bool any_renewed() const { return any_renewed_; }
     const IdSet &renewed() const { return renewed_; }
     bool renewed(const CandidatePair &pair) const
     {
-        return any_renewed_ && (renewed_.contains(pair.first) || renewed_.contains(pair.second));
+        return !renewed_.empty() && (renewed_.contains(pair.first) || renewed_.contains(pair.second));
     }
-    void clear_renewed();
+    void clear_renewed() { renewed_.clear(); }
 
-    bool has_shape(ProxyId id) const { return places_[id] > 0; }
+    bool has_shape(ProxyId id) const { return shapes_[id] != nullptr; }
 
     /// @pre has_shape(id).
-    const ConvexShape &operator[](ProxyId id) const { return shapes_[place_of(id)]; }
+    const ConvexShape &operator[](ProxyId id) const { return *shapes_[id]; }
 
     /// Drops the shapes of all other objects. Their next measure counts as the first.
     void keep_only(const IdSet &wanted);
 
     void add_owners_to(IdSet &ids) const
     {
-        for (ProxyId id : owners_)
-            ids.insert(id);
+        for (std::size_t id = 0; id < shapes_.size(); ++id)
+            if (shapes_[id])
+                ids.insert(static_cast<ProxyId>(id));
     }
 
     double travel(const CandidatePair &pair) const { return travels_[pair.first] + travels_[pair.second]; }
@@ -60,21 +60,16 @@ public:
     std::size_t bytes() const;
 
 private:
-    std::size_t place_of(ProxyId id) const { return places_[id] - 1; }
     bool is_current(Scene &scene, ProxyId id, UpdateNumber moved) const;
-    void make_places();
     void follow_stale(Scene &scene);
     void note(ProxyId id, double move);
 
     bool in_use_ = false;
-    std::vector<ConvexShape> shapes_;
-    std::vector<ProxyId> owners_;       // by index of shapes_
-    std::vector<std::uint32_t> places_; // by object: index of shapes_ plus 1, or 0 without a shape
-    std::vector<double> travels_;       // by object
-    std::vector<UpdateNumber> seen_;    // by object: Place::moved() when its shape was measured
+    std::vector<std::unique_ptr<ConvexShape>> shapes_; // by object; null for most
+    std::vector<double> travels_;                      // by object
+    std::vector<UpdateNumber> seen_;                   // by object: Place::moved() when its shape was measured
     IdSet renewed_;
-    IdSet awaited_; // objects whose hulls are being made
-    bool any_renewed_ = false;
+    IdSet awaited_;                       // objects whose hulls are being made
     std::vector<ProxyId> stale_;          // scratch
     std::vector<ConvexShape *> followed_; // scratch: the shapes of stale_
     std::vector<double> moves_;           // scratch

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -184,14 +183,11 @@ public:
     /// Sets the tight box to hold the program's box. @param box relative to the origin.
     void set_tight(const Box &box)
     {
-        const TightBox rounded{Float4::rounded_down(box.min().data(), 1, 1),
-                               -Float4::rounded_down(box.max().data(), 1, -1)};
         state_ &= ~doubt_bit;
-        if (is_finite(rounded))
-            return set_tight(rounded);
         const FloatBox outer = FloatBox::around(box);
         set_tight(TightBox::of(outer));
-        note_overflow(box, outer);
+        if (!is_finite(tight_lanes()))
+            note_overflow(box, outer);
     }
     void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
 

@@ -55,7 +55,6 @@ struct alignas(64) ProxyRecord
     bool leapt : 1;      ///< since the prediction
     bool is_costly : 1;  ///< contacts of the shape are costly to find
 
-    bool had_overlap() const { return useless < tests; }
     bool can_move() const { return has_body || leapt || is_interactive(role); }
 };
 static_assert(sizeof(ProxyRecord) == 64, "one cache line");
@@ -88,7 +87,7 @@ public:
 
     /// All numbers are below this.
     std::size_t size() const { return records.size(); }
-    std::size_t count() const { return count_; }
+    std::size_t count() const { return members_.size(); }
     const IdSet &members() const { return members_; }
 
     /// Makes room for `more` objects. On an exception nothing has changed.
@@ -113,7 +112,6 @@ public:
         places[id] = Place();
         records[id] = ProxyRecord{};
         members_.insert(id);
-        ++count_;
         return id;
     }
 
@@ -123,7 +121,6 @@ public:
         set_role(id, Role::environment);
         free_.push_back(id); // has room for all
         members_.erase(id);
-        --count_;
     }
 
     /// All numbers in use are below this.
@@ -157,7 +154,6 @@ private:
     }
 
     IdSet members_;
-    std::size_t count_ = 0;     // number of members_
     std::size_t hands_ = 0;     // members with Role::fixed_interactive
     std::vector<ProxyId> free_; // the next number last; has room for all
 };

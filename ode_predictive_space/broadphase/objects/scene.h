@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "ode_predictive_space/broadphase/base/id_set.h"
 #include "ode_predictive_space/broadphase/objects/place.h"
 #include "ode_predictive_space/prediction/track.h"
 
@@ -43,15 +44,15 @@ public:
 
     virtual void observe(const ProxyId *ids, std::size_t count, Observation *seen, const Origin &origin) = 0;
 
-    /// Brings shapes up to date, in the order of `ids`. The default is for scenes without shapes.
+    /// Brings shapes up to date, in the order of `ids`.
     /// @param moves receives upper bounds of the surfaces' displacements since the last call; infinite for a replaced shape.
-    virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves);
+    virtual void follow(const ProxyId *ids, std::size_t count, ConvexShape *const *shapes, double *moves) = 0;
 
     /// Whether the shape's hull is out of date, or the awaited hull is no longer being made. Data change without notice.
-    virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape);
+    virtual bool hull_is_outdated(ProxyId id, const ConvexShape &shape) = 0;
 
     /// Whether coordinates are finer than single precision, so that moving the origin helps.
-    virtual bool is_in_double_precision() const { return true; }
+    virtual bool is_in_double_precision() const = 0;
 
     virtual Box bounds(ProxyId id) = 0;
 
@@ -61,10 +62,10 @@ public:
     virtual bool overlap(ProxyId first, ProxyId second) = 0;
 
     /// Whether a filter keeps the pair from being reported. It may change without notice.
-    virtual bool is_excluded(ProxyId first, ProxyId second);
+    virtual bool is_excluded(ProxyId first, ProxyId second) = 0;
 
-    /// Appends the objects that are disabled now, in the order of `ids`. They change without notice.
-    virtual void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) = 0;
+    /// Adds those of the objects that are disabled now. They change without notice.
+    virtual void find_disabled(const std::vector<ProxyId> &ids, IdSet &disabled) = 0;
 };
 } // namespace ode_predictive_space
 

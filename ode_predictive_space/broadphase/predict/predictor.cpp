@@ -13,16 +13,11 @@ Vector3 finite_or_zero(const Vector3 &vector)
     return vector.allFinite() && vector.squaredNorm() < 1e30 ? vector : Vector3::Zero();
 }
 
-Vector3 to_vector(const float *three)
-{
-    return {three[0], three[1], three[2]};
-}
-
 Vector3 to_vector(Float4 vector)
 {
     float lanes[4];
     vector.store(lanes);
-    return to_vector(lanes);
+    return {lanes[0], lanes[1], lanes[2]};
 }
 
 float norm(Float4 vector)

@@ -4,6 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_PREDICT_SAMPLES_H
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,28 +31,29 @@ public:
     void sample(Scene &scene, const ProxyStore &proxies, Tick now);
 
     void forget(ProxyId id);
-    std::size_t bytes() const { return bytes_of(sampled_) + bytes_of(states_); }
+    std::size_t bytes() const;
 
 private:
     struct Sampled
     {
-        ProxyId id;
         UpdateNumber moved;                   // Place::moved() at the newest pose
         std::optional<std::uint64_t> unmoved; // QueryTime::collisions at the first query since the last move
         Track track;
     };
     struct State
     {
-        std::uint32_t index = unasked; // in sampled_, or `unasked` or `resting`
-        UpdateNumber moved = 0;        // Place::moved() of a resting object
+        std::unique_ptr<Sampled> sampled;    // null if the object rests or was never asked about
+        std::optional<UpdateNumber> resting; // Place::moved() of a resting object
+
+        void rest()
+        {
+            resting = sampled->moved;
+            sampled.reset();
+        }
     };
-    static constexpr std::uint32_t unasked = ~std::uint32_t{0}, resting = unasked - 1;
 
-    Sampled *follow(const ProxyStore &proxies, ProxyId id);
-    static bool renew(Scene &scene, const ProxyStore &proxies, Sampled &sampled, Tick tick);
-    void leave(ProxyId id, std::uint32_t as);
+    static bool renew(Scene &scene, const ProxyStore &proxies, ProxyId id, Sampled &sampled, Tick tick);
 
-    std::vector<Sampled> sampled_;
     std::vector<State> states_; // by object
 };
 } // namespace ode_predictive_space

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/broadphase/shape/nearest_point.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/LU>
 

@@ -237,9 +237,11 @@ void World::observe(const ProxyId *ids, std::size_t count, Observation *seen, co
         seen[i] = observation(ids[i]);
 }
 
-void World::find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled)
+void World::find_disabled(const std::vector<ProxyId> &ids, IdSet &disabled)
 {
-    std::copy_if(ids, ids + count, std::back_inserter(disabled), [this](ProxyId id) { return !seen(id).enabled; });
+    for (ProxyId id : ids)
+        if (!seen(id).enabled)
+            disabled.insert(id);
 }
 
 std::optional<Vector3> World::pivot_of(ProxyId id) const

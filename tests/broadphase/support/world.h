@@ -93,7 +93,13 @@ public:
     Box bounds(ProxyId id) override { return bounds_of(seen(id)); }
     SampledPose pose(ProxyId id) override;
     bool overlap(ProxyId first, ProxyId second) override { return boxes_and_spheres_overlap(first, second); }
-    void find_disabled(const ProxyId *ids, std::size_t count, std::vector<ProxyId> &disabled) override;
+    void find_disabled(const std::vector<ProxyId> &ids, IdSet &disabled) override;
+
+    // Objects have no shapes beyond their boxes.
+    void follow(const ProxyId *, std::size_t, ConvexShape *const *, double *) override {}
+    bool hull_is_outdated(ProxyId, const ConvexShape &) override { return false; }
+    bool is_excluded(ProxyId, ProxyId) override { return false; }
+    bool is_in_double_precision() const override { return true; }
 
 private:
     /// The object that the broad phase asks about; it must be present.
