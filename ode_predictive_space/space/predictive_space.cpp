@@ -60,7 +60,6 @@ void dxPredictiveSpace::add(dxGeom *geom)
         fit_to_proxies();
     }
     dxSpace::add(geom);
-    has_data_ = HasData::unknown;
     // Nothing is thrown from here on. A failure above (memory, an assertion of ODE) leaves the space as it was.
     geom->next_ex = nullptr;
     geom->tome_ex = nullptr;
@@ -101,7 +100,6 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     CHECK_NOT_LOCKED(this);
     dUASSERT(geom->parent_space == this, "object is not in this space");
     dxSpace::remove(geom);
-    has_data_ = HasData::unknown;
     if (moved_mesh_ == geom)
         moved_mesh_ = nullptr;
     if (predicts_)
@@ -318,16 +316,12 @@ void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
         call_back(pair->one, pair->other, data, callback);
 }
 
-bool dxPredictiveSpace::has_geoms_with_data()
+bool dxPredictiveSpace::has_geoms_with_data() const
 {
-    if (has_data_.load(std::memory_order_relaxed) == HasData::unknown)
-    {
-        bool any = false;
-        for (const dxGeom *geom = first; geom; geom = geom->next)
-            any |= has_data(geom);
-        has_data_.store(any ? HasData::yes : HasData::no, std::memory_order_relaxed);
-    }
-    return has_data_.load(std::memory_order_relaxed) == HasData::yes;
+    for (const dxGeom *geom = first; geom; geom = geom->next)
+        if (has_data(geom))
+            return true;
+    return false;
 }
 
 void dxPredictiveSpace::clean_each()

@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -140,8 +139,8 @@ private:
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);
     // Among few primitives, the shape test does not pay.
-    bool tests_shapes() { return by_shape() && (predicts_ || has_geoms_with_data()); }
-    bool has_geoms_with_data();
+    bool tests_shapes() const { return by_shape() && (predicts_ || has_geoms_with_data()); }
+    bool has_geoms_with_data() const;
     void collide_each(void *data, dNearCallback *callback);
     void clean_each();
     void collide_predicted(bool nested_call, void *data, dNearCallback *callback);
@@ -157,14 +156,7 @@ private:
     void note_change(ProxyId id);
     void fit_to_proxies();
 
-    enum class HasData : char
-    {
-        unknown, // since geoms were added or removed
-        no,
-        yes
-    };
-    std::atomic<HasData> has_data_{HasData::unknown}; // does any geom have data? Only used before the space predicts
-    bool predicts_ = false;                           // otherwise the broad phase is empty
+    bool predicts_ = false; // otherwise the broad phase is empty
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // indexed by proxy number; null for gaps
 
