@@ -21,7 +21,7 @@ void listen_to(dxGeom *geom)
 }
 } // namespace
 
-dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpaceWithHashLevels(parent)
+dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpace(parent)
 {
     type = class_of_predictive_space;
 }

@@ -12,13 +12,16 @@
 #include "ode_predictive_space/space/access.h"
 #include "ode_predictive_space/space/counted_id_set.h"
 #include "ode_predictive_space/space/geom_scene.h"
-#include "ode_predictive_space/space/hash_levels.h"
 #include "ode_predictive_space/space/off_line_geoms.h"
 
 /// By box, the space calls its callback for exactly the pairs of a dxSimpleSpace. With few geoms it works as one until it has
 /// to predict, which then never ends. While it predicts, next_ex of each geom holds the proxy number + 1; before, it is null.
-struct dxPredictiveSpace : public dxSpaceWithHashLevels
+struct dxPredictiveSpace : public dxSpace
 {
+    /// First, where dHashSpaceGetLevels() and dHashSpaceSetLevels(), the only readers, expect them: directly after the members
+    /// of dxSpace. The values are those of a new hash space.
+    int global_minlevel = -3, global_maxlevel = 10;
+
     explicit dxPredictiveSpace(dxSpace *parent);
     ~dxPredictiveSpace() override;
 
