@@ -38,9 +38,9 @@ struct DataHull : VertexHull
     DataHull(VertexHull &&points, const DataKey &data) : VertexHull(std::move(points)), key(data) {}
 
     DataKey key;
-    /// Twice the area of the smallest triangle of a mesh; infinite for a convex.
+    /// Twice the area of the smallest triangle of a mesh; infinite for other data.
     double least_normal = std::numeric_limits<double>::infinity();
-    /// The largest aspect ratio of a mesh's triangles: longest side by the height on it; 1 for a convex.
+    /// The largest aspect ratio of a mesh's triangles: longest side by the height on it; 1 for other data.
     double aspect = 1;
     bool outdated = false; ///< the data have been changed in place
     bool has_old_box =
