@@ -147,25 +147,21 @@ bool line_may_touch(dxGeom *ray, const dxGeom *geom)
 
 double circumscribed_radius(const dxGeom *geom)
 {
+    const dReal *sizes = sizes_of(geom);
     switch (geom->type)
     {
     case dSphereClass:
-        return static_cast<const dxSphere *>(geom)->radius * (1 + tolerance);
+        return sizes[0] * (1 + tolerance);
     case dBoxClass:
     {
-        const dReal *side = static_cast<const dxBox *>(geom)->side;
-        const double x = side[0], y = side[1], z = side[2];
+        const double x = sizes[0], y = sizes[1], z = sizes[2];
         return std::sqrt(x * x + y * y + z * z) / 2 * (1 + tolerance);
     }
     case dCapsuleClass:
-    {
-        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-        return (capsule->radius + 0.5 * capsule->lz) * (1 + tolerance);
-    }
+        return (sizes[0] + 0.5 * sizes[1]) * (1 + tolerance);
     case dCylinderClass:
     {
-        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        const double radius = cylinder->radius, half = 0.5 * cylinder->lz;
+        const double radius = sizes[0], half = 0.5 * sizes[1];
         return std::sqrt(radius * radius + half * half) * (1 + tolerance);
     }
     default:
@@ -175,29 +171,21 @@ double circumscribed_radius(const dxGeom *geom)
 
 Solid solid_of(const dxGeom *geom)
 {
+    const dReal *sizes = sizes_of(geom);
     switch (geom->type)
     {
     case dSphereClass:
-        return {Watch::sphere, static_cast<float>(static_cast<const dxSphere *>(geom)->radius)};
+        return {Watch::sphere, static_cast<float>(sizes[0])};
     case dBoxClass:
-    {
-        const dReal *side = static_cast<const dxBox *>(geom)->side;
-        return {Watch::box, static_cast<float>(side[0] / 2), static_cast<float>(side[1] / 2),
-                static_cast<float>(side[2] / 2)};
-    }
+        return {Watch::box, static_cast<float>(sizes[0] / 2), static_cast<float>(sizes[1] / 2),
+                static_cast<float>(sizes[2] / 2)};
     case dCapsuleClass:
-    {
-        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-        return {Watch::capsule, static_cast<float>(capsule->radius), 0, static_cast<float>(capsule->lz / 2)};
-    }
+        return {Watch::capsule, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[1] / 2)};
     case dCylinderClass:
-    {
         // In single precision, the error of ODE's box, the root of a small difference, exceeds the margin of a tight box.
         if (sizeof(dReal) < sizeof(double))
             return {};
-        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        return {Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)};
-    }
+        return {Watch::cylinder, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[1] / 2)};
     default:
         return {};
     }

@@ -665,8 +665,8 @@ def space_faults():
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "size_of_a_cylinder_unknown", "space", scene,
-        "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)}",
-        "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->radius)}",
+        "{Watch::cylinder, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[1] / 2)}",
+        "{Watch::cylinder, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[0])}",
         contract("*EveryPlaceableClass*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
