@@ -149,8 +149,10 @@ void dPredictiveSpaceSetDeviation(dSpaceID space, int role, dReal a, dReal b, dR
     if (!self || !checked_role(__func__, role) || !checked_coefficient(__func__, "a", a) ||
         !checked_coefficient(__func__, "b", b) || !checked_coefficient(__func__, "c", c))
         return;
-    const Deviation deviation{a, b, c};
-    self->set_deviation(role, a == 0 && b == 0 && c == 0 ? nullptr : &deviation);
+    PredictionSettings settings = self->broadphase().settings();
+    settings.deviation[static_cast<std::size_t>(role)] =
+        a == 0 && b == 0 && c == 0 ? std::nullopt : std::optional(Deviation{a, b, c});
+    self->set_settings(settings);
 }
 
 int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dReal *a, dReal *b, dReal *c)
@@ -174,6 +176,8 @@ void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks, int max_ticks)
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self)
         return;
+    PredictionSettings settings = self->broadphase().settings();
+    settings.horizon = {static_cast<std::uint32_t>(min_ticks), static_cast<std::uint32_t>(max_ticks)};
     if (min_ticks < 1)
         refuse(__func__, "min_ticks", "it must be at least 1");
     else if (max_ticks < min_ticks)
@@ -181,7 +185,7 @@ void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks, int max_ticks)
     else if (max_ticks > longest_horizon)
         refuse(__func__, "max_ticks", "it must not be more than 1000000");
     else
-        self->set_horizon({static_cast<std::uint32_t>(min_ticks), static_cast<std::uint32_t>(max_ticks)});
+        self->set_settings(settings);
 }
 
 void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks)

@@ -425,19 +425,8 @@ Role dxPredictiveSpace::role(dxGeom *geom) const
     return predicts_ ? broadphase_.proxies().records[proxy_of(geom)].role : Role::environment;
 }
 
-void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
+void dxPredictiveSpace::set_settings(const PredictionSettings &settings)
 {
-    PredictionSettings settings = broadphase_.settings();
-    auto &fixed = settings.deviation[static_cast<std::size_t>(role)];
-    fixed = deviation ? std::optional(*deviation) : std::nullopt;
-    broadphase_.set_settings(settings);
-    access_.forget_catching_up();
-}
-
-void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
-{
-    PredictionSettings settings = broadphase_.settings();
-    settings.horizon = horizon;
     broadphase_.set_settings(settings);
     access_.forget_catching_up();
 }

@@ -35,8 +35,7 @@ struct dxPredictiveSpace : public dxSpace
     void set_proximity_test(ode_predictive_space::ProximityTest test);
     void set_shape_margin(double margin);
     void set_role(dxGeom *geom, ode_predictive_space::Role role);
-    void set_deviation(int role, const ode_predictive_space::Deviation *deviation);
-    void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
+    void set_settings(const ode_predictive_space::PredictionSettings &settings);
     ode_predictive_space::Role role(dxGeom *geom) const;
 
     /// Updates the broad phase without a tick. @return false, after a message, if another thread's tick or a caller further up
