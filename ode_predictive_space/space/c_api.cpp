@@ -13,6 +13,11 @@ namespace
 {
 constexpr int longest_horizon = 1000000;
 
+static_assert(dPredictiveProximityBox == static_cast<int>(ProximityTest::box) &&
+                  dPredictiveProximitySphere == static_cast<int>(ProximityTest::sphere) &&
+                  dPredictiveProximityShape == static_cast<int>(ProximityTest::shape),
+              "they are cast");
+
 bool refuse(const char *function, const char *argument, const char *reason)
 {
     dMessage(d_ERR_UASSERT, "%s(): bad argument %s: %s", function, argument, reason);
@@ -83,23 +88,16 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self)
         return;
-    if (proximity == dPredictiveProximityBox)
-        self->set_proximity_test(ProximityTest::box);
-    else if (proximity == dPredictiveProximitySphere)
-        self->set_proximity_test(ProximityTest::sphere);
-    else if (proximity == dPredictiveProximityShape)
-        self->set_proximity_test(ProximityTest::shape);
-    else
+    if (proximity < dPredictiveProximityBox || proximity > dPredictiveProximityShape)
         refuse(__func__, "proximity", "it is not a dPredictiveProximity constant");
+    else
+        self->set_proximity_test(static_cast<ProximityTest>(proximity));
 }
 
 int dPredictiveSpaceGetProximity(dSpaceID space)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    if (!self || self->broadphase().proximity_test() == ProximityTest::box)
-        return dPredictiveProximityBox;
-    return self->broadphase().proximity_test() == ProximityTest::sphere ? dPredictiveProximitySphere
-                                                                        : dPredictiveProximityShape;
+    return static_cast<int>(self ? self->broadphase().proximity_test() : ProximityTest::box);
 }
 
 void dPredictiveSpaceSetShapeMargin(dSpaceID space, dReal margin)
