@@ -24,25 +24,26 @@ bool refuse(const char *function, const char *argument, const char *reason)
     return false;
 }
 
+bool checked_pointer(const char *function, const char *name, const void *pointer)
+{
+    return pointer || refuse(function, name, "it is null");
+}
+
 // The predictive space behind a handle, or null after a message.
 dxPredictiveSpace *checked_space(const char *function, dSpaceID space)
 {
-    if (!space)
-        refuse(function, "space", "it is null");
-    else if (!dSpaceIsPredictive(space))
-        refuse(function, "space", "it is not a predictive space");
-    else
+    if (!checked_pointer(function, "space", space))
+        return nullptr;
+    if (dSpaceIsPredictive(space))
         return static_cast<dxPredictiveSpace *>(space);
+    refuse(function, "space", "it is not a predictive space");
     return nullptr;
 }
 
 bool checked_geom(const char *function, const char *name, dxPredictiveSpace *space, dGeomID geom)
 {
-    if (!geom)
-        return refuse(function, name, "it is null");
-    if (geom->parent_space != space)
-        return refuse(function, name, "the geom is not in this space");
-    return true;
+    return checked_pointer(function, name, geom) &&
+           (geom->parent_space == space || refuse(function, name, "the geom is not in this space"));
 }
 
 bool checked_role(const char *function, int role)
@@ -218,11 +219,10 @@ int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncou
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self || !checked_geom(__func__, "geom", self, geom))
         return 0;
-    if (max < 0 || (!out && max > 0))
-    {
-        refuse(__func__, max < 0 ? "max" : "out", max < 0 ? "it is negative" : "it is null");
+    if (max < 0)
+        return refuse(__func__, "max", "it is negative");
+    if (max > 0 && !checked_pointer(__func__, "out", out))
         return 0;
-    }
     const auto lock = self->begin_query(__func__);
     if (!lock)
         return 0;
@@ -236,13 +236,8 @@ int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncou
 void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    if (!self)
+    if (!self || !checked_pointer(__func__, "stats", stats))
         return;
-    if (!stats)
-    {
-        refuse(__func__, "stats", "it is null");
-        return;
-    }
     const Counters &counters = self->broadphase().counters();
     stats->ticks = self->ticks();
     stats->moved = counters.moved;
@@ -259,13 +254,8 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
 void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *counters, unsigned long size)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    if (!self)
+    if (!self || !checked_pointer(__func__, "counters", counters))
         return;
-    if (!counters)
-    {
-        refuse(__func__, "counters", "it is null");
-        return;
-    }
     const Broadphase &broadphase = self->broadphase();
     dPredictiveSpaceCounters known; // on Windows, their type is narrower than ours
     known.unchanged = static_cast<unsigned long>(self->unchanged());
