@@ -125,11 +125,11 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin)
     return RayProbe(begin, end, miss * length + double{origin.doubt().largest_of_three()});
 }
 
-bool line_may_touch(dxGeom *ray, const dxGeom *geom)
+bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
 {
-    if (touched_off_line(geom) || is_skewed(ray))
+    if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))
         return true;
-    const std::optional<RayProbe> line = line_of_ray(ray, Origin());
+    const std::optional<RayProbe> line = line_of_ray(probe, Origin());
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 

@@ -88,14 +88,8 @@ bool touched_off_line(const dxGeom *geom);
 /// The line of a ray, relative to the origin; none if it is not finite.
 std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin);
 
-/// @pre the boxes are valid.
-bool line_may_touch(dxGeom *ray, const dxGeom *geom);
-
-/// @pre the boxes are valid.
-inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
-{
-    return probe->type != dRayClass || line_may_touch(probe, geom);
-}
+/// Can the line of the probe touch the geom? True if the probe is no ray. @pre the boxes are valid.
+bool ray_may_touch(dxGeom *probe, const dxGeom *geom);
 
 /// The sphere test of proximity, without the boxes; true for pairs that only boxes can judge. @pre the boxes are valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);

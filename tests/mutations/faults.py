@@ -729,8 +729,8 @@ def space_faults():
         "return skew <= most_skew ? radius_ * (1 + skew) + rounding_at(bounds_)", "return skew < 1e300 ? radius_ + rounding_at(bounds_)", CONTACT_HISTORIES)
     yield Fault(
         "skewed_rays_judged_by_lines", "space", scene,
-        "if (touched_off_line(geom) || is_skewed(ray))",
-        "if (touched_off_line(geom))", CONTACT_HISTORIES)
+        "touched_off_line(geom) || is_skewed(probe))",
+        "touched_off_line(geom))", CONTACT_HISTORIES)
 
 
 def history_faults():
