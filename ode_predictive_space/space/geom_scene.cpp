@@ -334,9 +334,4 @@ void GeomScene::find_disabled(const ProxyId *ids, std::size_t count, std::vector
         if (!enabled(geoms_[ids[i]]))
             disabled.push_back(ids[i]);
 }
-
-bool GeomScene::spheres_overlap(dxGeom *one, dxGeom *other)
-{
-    return spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one);
-}
 } // namespace ode_predictive_space

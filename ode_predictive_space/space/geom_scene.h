@@ -133,7 +133,9 @@ public:
     {
         compute_box_beside_others(one);
         compute_box_beside_others(other);
-        return aabbs_overlap(one, other) && (!by_sphere_ || spheres_overlap(one, other));
+        if (!aabbs_overlap(one, other))
+            return false;
+        return !by_sphere_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));
     }
 
     /// Prefetch a geom and, some time later, its pose, before its bounding box is read.
@@ -141,7 +143,6 @@ public:
     void prefetch_pose(ProxyId id) const;
 
 private:
-    static bool spheres_overlap(dxGeom *one, dxGeom *other);
     template <typename Visit, typename... Fetches>
     void for_each(std::size_t count, Visit visit, Fetches... fetches) const;
     Observation observation(ProxyId id, const Origin &origin);
