@@ -327,14 +327,11 @@ bool dxPredictiveSpace::has_geoms_with_data() const
 void dxPredictiveSpace::clean_each()
 {
     for (dxGeom *geom = first; geom; geom = geom->next)
-    {
-        if (!(geom->gflags & GEOM_DIRTY))
-            continue;
-        if (IS_SPACE(geom))
-            static_cast<dxSpace *>(geom)->cleanGeoms();
-        compute_box_beside_others(geom);
-        listen_to(geom);
-    }
+        if (geom->gflags & GEOM_DIRTY)
+        {
+            valid_aabb(geom);
+            listen_to(geom);
+        }
 }
 
 void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCallback *callback)

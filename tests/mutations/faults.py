@@ -689,8 +689,8 @@ def space_faults():
         "for (dxGeom *geom = first; geom; geom = geom->next)\n        compute_box_beside_others(geom);", nests)
     # Spaces of few geoms.
     yield Fault(
-        "few_geoms_stay_dirty", "space", space, "compute_box_beside_others(geom);\n        listen_to(geom);",
-        "compute_box_beside_others(geom);", contract("*"))
+        "few_geoms_stay_dirty", "space", space, "valid_aabb(geom);\n            listen_to(geom);",
+        "valid_aabb(geom);", contract("*"))
     yield Fault(
         "few_geoms_forgotten", "space", space, "tuning::few_objects)\n        start_predicting();",
         "tuning::few_objects)\n        predicts_ = true;", contract("FewGeoms.*"))
