@@ -375,7 +375,7 @@ inline void dxPredictiveSpace::call_back(dxGeom *one, dxGeom *other, void *data,
 {
     if (!bits_agree(one, other))
         return;
-    if (!both_enabled(one, other))
+    if (!enabled(one) || !enabled(other))
         return note_disabled(enabled(one) ? other : one);
     if (!wants_callback(one, other))
         return;
