@@ -17,20 +17,12 @@ namespace
 {
 constexpr std::size_t steps_per_triangle = 3, steps_per_point = 13; // to read a triangle, and to add a point to a hull
 
-template <typename T> std::uint64_t word(T *pointer)
+// The bytes of an address or a number, or of two short numbers.
+template <typename T> std::uint64_t word(T value)
 {
-    return reinterpret_cast<std::uintptr_t>(pointer);
-}
-
-std::uint64_t word(int number)
-{
-    return static_cast<unsigned>(number);
-}
-
-std::uint64_t word(double number)
-{
-    std::uint64_t bits;
-    std::memcpy(&bits, &number, sizeof bits);
+    std::uint64_t bits = 0;
+    // T may be a pointer: its own size is meant. NOLINTNEXTLINE(bugprone-sizeof-expression)
+    std::memcpy(&bits, &value, sizeof value);
     return bits;
 }
 
@@ -42,7 +34,7 @@ DataKey key_of(const dxConvex *convex)
 // The address of ODE's data is included, because data that share arrays still have separate boxes.
 DataKey key_of(const TriangleArrays &mesh)
 {
-    return {word(mesh.vertices),  mesh.vertex_count,   word(mesh.vertex_stride) << 1 | mesh.single,
+    return {word(mesh.vertices),  mesh.vertex_count,   word(std::array{mesh.vertex_stride, int{mesh.single}}),
             word(mesh.triangles), mesh.triangle_count, word(mesh.triangle_stride),
             word(&mesh)};
 }
@@ -52,12 +44,12 @@ DataKey key_of(const HeightSamples &heights)
     return {word(heights.samples),
             word(heights.user_data),
             word(heights.get_height),
-            word(heights.columns) << 32 | word(heights.rows),
-            word(heights.source) << 1 | (heights.repeats != 0),
-            word(double{heights.cell_x}),
-            word(double{heights.cell_z}),
-            word(double{heights.scale}),
-            word(double{heights.offset})};
+            word(std::array{heights.columns, heights.rows}),
+            word(std::array{heights.source, int{heights.repeats != 0}}),
+            word(heights.cell_x),
+            word(heights.cell_z),
+            word(heights.scale),
+            word(heights.offset)};
 }
 
 // The box that ODE stores when a mesh's data are built. It is the bounding box of an unmoved geom.

@@ -439,8 +439,8 @@ def shape_faults():
         "hulls_are_made_again_after_a_pause", "shapes", hulls, "    return {own.hull, !is_done};",
         "    return {std::exchange(own.hull, nullptr), !is_done};", (("shape_contract", "SurfaceBuilding.*"),))
     yield Fault(
-        "offset_of_heights_is_no_other_hull", "shapes", maker, "word(double{heights.scale}),\n            word(double{heights.offset})};",
-        "word(double{heights.scale})};", (("shape_contract", "HullOfHeights.*"),))
+        "offset_of_heights_is_no_other_hull", "shapes", maker, "word(heights.scale),\n            word(heights.offset)};",
+        "word(heights.scale)};", (("shape_contract", "HullOfHeights.*"),))
     yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
         "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "Gap.*"),))
