@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/envelope.h"
 #include "ode_predictive_space/space/geom_scene.h"
@@ -134,11 +133,6 @@ std::vector<Vector3> PointCloud::take_points()
     return points_.size() <= tuning::most_hull_points ? std::exchange(points_, {}) : corners();
 }
 
-std::size_t PointCloud::bytes() const
-{
-    return bytes_of(points_);
-}
-
 std::size_t MeshReader::read(std::size_t steps, PointCloud &points)
 {
     for (; triangle_ < mesh_.triangle_count && is_readable_; steps -= steps_per_triangle)
@@ -189,11 +183,14 @@ std::size_t HullMaker::go_on(std::size_t steps)
     {
         if (mesh_)
             steps = mesh_->read(steps, points_);
+        else if (geom_->type == dConvexClass)
+            add_points(*static_cast<const dxConvex *>(geom_), points_);
         else
-            read_points();
+            add_corners(*height_data_of(geom_), points_);
         if (mesh_ && !mesh_->is_done())
             return 0;
-        finish_reading();
+        const bool is_usable = points_.is_usable() && (!mesh_ || mesh_->is_readable());
+        stage_ = is_usable ? Stage::hull : Stage::done;
     }
     if (stage_ == Stage::hull)
         steps = make_hull(steps);
@@ -204,20 +201,6 @@ std::size_t HullMaker::go_on(std::size_t steps)
             stage_ = Stage::done;
     }
     return is_done() ? steps : 0;
-}
-
-void HullMaker::read_points()
-{
-    if (geom_->type == dConvexClass)
-        add_points(*static_cast<const dxConvex *>(geom_), points_);
-    else
-        add_corners(*height_data_of(geom_), points_);
-}
-
-void HullMaker::finish_reading()
-{
-    const bool is_usable = points_.is_usable() && (!mesh_ || mesh_->is_readable());
-    stage_ = is_usable ? Stage::hull : Stage::done;
 }
 
 std::size_t HullMaker::make_hull(std::size_t steps)
