@@ -125,11 +125,9 @@ private:
     bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
 
     // forecast_query.cpp
-    void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
     std::optional<double> time_of_proximity(const ode_predictive_space::CandidatePair &pair,
                                             const ode_predictive_space::Forecast &first,
                                             ode_predictive_space::GeomScene &now, double *apart_until);
-    std::vector<ProxyId> members() const;
 
     // validation.cpp
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
