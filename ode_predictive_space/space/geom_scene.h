@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

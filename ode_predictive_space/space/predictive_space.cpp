@@ -1,8 +1,6 @@
 #include "ode_predictive_space/space/predictive_space.h"
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "ode_predictive_space/space/geom_shape.h"

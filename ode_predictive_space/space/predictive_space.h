@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>

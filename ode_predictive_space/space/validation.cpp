@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "ode_predictive_space/space/pair_filter.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 using namespace ode_predictive_space;
