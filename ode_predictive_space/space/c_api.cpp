@@ -226,10 +226,10 @@ int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncou
     const auto lock = self->begin_query(__func__);
     if (!lock)
         return 0;
-    const std::vector<dxPredictiveSpace::Encounter> met = self->encounters(geom);
-    const int count = std::min(max, static_cast<int>(met.size()));
-    for (int i = 0; i < count; ++i)
-        out[i] = {met[static_cast<std::size_t>(i)].geom, static_cast<dReal>(met[static_cast<std::size_t>(i)].ticks)};
+    int count = 0;
+    for (const dxPredictiveSpace::Encounter &met : self->encounters(geom))
+        if (count < max)
+            out[count++] = {met.geom, static_cast<dReal>(met.ticks)};
     return count;
 }
 
