@@ -134,11 +134,6 @@ bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
 }
 
 // Not inlined: most geoms have no offset.
-[[gnu::noinline]] bool turns_safely_at_offset(const dxGeom *geom)
-{
-    return CarriedGeom(geom).turns_safely(most_offset);
-}
-
 [[gnu::noinline]] double radius_at_offset(const dxGeom *geom)
 {
     const double radius = circumscribed_radius(geom);
@@ -277,6 +272,14 @@ bool GeomScene::hull_is_outdated(ProxyId id, const ConvexShape &shape)
 Box GeomScene::bounds(ProxyId id)
 {
     return to_box(valid_aabb(geoms_[id]));
+}
+
+// Does the geom turn about its position, so that a bounding sphere measured earlier still holds it?
+static bool turns_safely(const dxGeom *geom)
+{
+    if (geom->offset_posr)
+        return CarriedGeom(geom).turns_safely(most_offset);
+    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
 }
 
 // None if the point is unknown or not finite.

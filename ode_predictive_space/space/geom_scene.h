@@ -11,7 +11,6 @@
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/space/hull_store.h"
 #include "ode_predictive_space/space/ode_internals.h"
-#include "ode_predictive_space/space/rotation.h"
 
 namespace ode_predictive_space
 {
@@ -26,16 +25,6 @@ static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is be
 inline const dReal *sizes_of(const dxGeom *geom)
 {
     return reinterpret_cast<const dReal *>(geom + 1);
-}
-
-bool turns_safely_at_offset(const dxGeom *geom);
-
-/// Does the geom turn about its position, so that a bounding sphere measured earlier still holds it?
-inline bool turns_safely(const dxGeom *geom)
-{
-    if (geom->offset_posr)
-        return turns_safely_at_offset(geom);
-    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
 }
 
 /// Is a geom with these flags enabled, and has it a size?

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ode_predictive_space/space/geom_scene.h"
+#include "ode_predictive_space/space/rotation.h"
 
 namespace ode_predictive_space
 {
