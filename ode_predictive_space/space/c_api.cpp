@@ -13,31 +13,37 @@ namespace
 {
 constexpr int longest_horizon = 1000000;
 
+static_assert(dPredictiveProximityBox == static_cast<int>(ProximityTest::box) &&
+                  dPredictiveProximitySphere == static_cast<int>(ProximityTest::sphere) &&
+                  dPredictiveProximityShape == static_cast<int>(ProximityTest::shape),
+              "they are cast");
+
 bool refuse(const char *function, const char *argument, const char *reason)
 {
     dMessage(d_ERR_UASSERT, "%s(): bad argument %s: %s", function, argument, reason);
     return false;
 }
 
+bool checked_pointer(const char *function, const char *name, const void *pointer)
+{
+    return pointer || refuse(function, name, "it is null");
+}
+
 // The predictive space behind a handle, or null after a message.
 dxPredictiveSpace *checked_space(const char *function, dSpaceID space)
 {
-    if (!space)
-        refuse(function, "space", "it is null");
-    else if (!dSpaceIsPredictive(space))
-        refuse(function, "space", "it is not a predictive space");
-    else
+    if (!checked_pointer(function, "space", space))
+        return nullptr;
+    if (dSpaceIsPredictive(space))
         return static_cast<dxPredictiveSpace *>(space);
+    refuse(function, "space", "it is not a predictive space");
     return nullptr;
 }
 
 bool checked_geom(const char *function, const char *name, dxPredictiveSpace *space, dGeomID geom)
 {
-    if (!geom)
-        return refuse(function, name, "it is null");
-    if (geom->parent_space != space)
-        return refuse(function, name, "the geom is not in this space");
-    return true;
+    return checked_pointer(function, name, geom) &&
+           (geom->parent_space == space || refuse(function, name, "the geom is not in this space"));
 }
 
 bool checked_role(const char *function, int role)
@@ -83,23 +89,16 @@ void dPredictiveSpaceSetProximity(dSpaceID space, int proximity)
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self)
         return;
-    if (proximity == dPredictiveProximityBox)
-        self->set_proximity_test(ProximityTest::box);
-    else if (proximity == dPredictiveProximitySphere)
-        self->set_proximity_test(ProximityTest::sphere);
-    else if (proximity == dPredictiveProximityShape)
-        self->set_proximity_test(ProximityTest::shape);
-    else
+    if (proximity < dPredictiveProximityBox || proximity > dPredictiveProximityShape)
         refuse(__func__, "proximity", "it is not a dPredictiveProximity constant");
+    else
+        self->set_proximity_test(static_cast<ProximityTest>(proximity));
 }
 
 int dPredictiveSpaceGetProximity(dSpaceID space)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    if (!self || self->broadphase().proximity_test() == ProximityTest::box)
-        return dPredictiveProximityBox;
-    return self->broadphase().proximity_test() == ProximityTest::sphere ? dPredictiveProximitySphere
-                                                                        : dPredictiveProximityShape;
+    return static_cast<int>(self ? self->broadphase().proximity_test() : ProximityTest::box);
 }
 
 void dPredictiveSpaceSetShapeMargin(dSpaceID space, dReal margin)
@@ -149,8 +148,10 @@ void dPredictiveSpaceSetDeviation(dSpaceID space, int role, dReal a, dReal b, dR
     if (!self || !checked_role(__func__, role) || !checked_coefficient(__func__, "a", a) ||
         !checked_coefficient(__func__, "b", b) || !checked_coefficient(__func__, "c", c))
         return;
-    const Deviation deviation{a, b, c};
-    self->set_deviation(role, a == 0 && b == 0 && c == 0 ? nullptr : &deviation);
+    PredictionSettings settings = self->broadphase().settings();
+    settings.deviation[static_cast<std::size_t>(role)] =
+        a == 0 && b == 0 && c == 0 ? std::nullopt : std::optional(Deviation{a, b, c});
+    self->set_settings(settings);
 }
 
 int dPredictiveSpaceGetDeviation(dSpaceID space, int role, dReal *a, dReal *b, dReal *c)
@@ -174,6 +175,8 @@ void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks, int max_ticks)
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self)
         return;
+    PredictionSettings settings = self->broadphase().settings();
+    settings.horizon = {static_cast<std::uint32_t>(min_ticks), static_cast<std::uint32_t>(max_ticks)};
     if (min_ticks < 1)
         refuse(__func__, "min_ticks", "it must be at least 1");
     else if (max_ticks < min_ticks)
@@ -181,7 +184,7 @@ void dPredictiveSpaceSetHorizon(dSpaceID space, int min_ticks, int max_ticks)
     else if (max_ticks > longest_horizon)
         refuse(__func__, "max_ticks", "it must not be more than 1000000");
     else
-        self->set_horizon({static_cast<std::uint32_t>(min_ticks), static_cast<std::uint32_t>(max_ticks)});
+        self->set_settings(settings);
 }
 
 void dPredictiveSpaceGetHorizon(dSpaceID space, int *min_ticks, int *max_ticks)
@@ -216,31 +219,25 @@ int dPredictiveSpaceGetEncounters(dSpaceID space, dGeomID geom, dPredictiveEncou
     dxPredictiveSpace *self = checked_space(__func__, space);
     if (!self || !checked_geom(__func__, "geom", self, geom))
         return 0;
-    if (max < 0 || (!out && max > 0))
-    {
-        refuse(__func__, max < 0 ? "max" : "out", max < 0 ? "it is negative" : "it is null");
+    if (max < 0)
+        return refuse(__func__, "max", "it is negative");
+    if (max > 0 && !checked_pointer(__func__, "out", out))
         return 0;
-    }
     const auto lock = self->begin_query(__func__);
     if (!lock)
         return 0;
-    const std::vector<dxPredictiveSpace::Encounter> met = self->encounters(geom);
-    const int count = std::min(max, static_cast<int>(met.size()));
-    for (int i = 0; i < count; ++i)
-        out[i] = {met[static_cast<std::size_t>(i)].geom, static_cast<dReal>(met[static_cast<std::size_t>(i)].ticks)};
+    int count = 0;
+    for (const dxPredictiveSpace::Encounter &met : self->encounters(geom))
+        if (count < max)
+            out[count++] = {met.geom, static_cast<dReal>(met.ticks)};
     return count;
 }
 
 void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    if (!self)
+    if (!self || !checked_pointer(__func__, "stats", stats))
         return;
-    if (!stats)
-    {
-        refuse(__func__, "stats", "it is null");
-        return;
-    }
     const Counters &counters = self->broadphase().counters();
     stats->ticks = self->ticks();
     stats->moved = counters.moved;
@@ -257,13 +254,8 @@ void dPredictiveSpaceGetStats(dSpaceID space, dPredictiveSpaceStats *stats)
 void dPredictiveSpaceGetCounters(dSpaceID space, dPredictiveSpaceCounters *counters, unsigned long size)
 {
     const dxPredictiveSpace *self = checked_space(__func__, space);
-    if (!self)
+    if (!self || !checked_pointer(__func__, "counters", counters))
         return;
-    if (!counters)
-    {
-        refuse(__func__, "counters", "it is null");
-        return;
-    }
     const Broadphase &broadphase = self->broadphase();
     dPredictiveSpaceCounters known; // on Windows, their type is narrower than ours
     known.unchanged = static_cast<unsigned long>(self->unchanged());

@@ -12,19 +12,15 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(dxGeom *first, dxGeom
 {
     GeomScene now = scene();
     const CandidatePair pair{proxy_of(first), proxy_of(second)};
-    follow_shapes({pair.first, pair.second}, now);
+    if (by_shape())
+    {
+        IdSet wanted;
+        wanted.resize(geoms_.size());
+        wanted.insert(pair.first);
+        wanted.insert(pair.second);
+        broadphase_.follow_shapes(now, wanted);
+    }
     return time_of_proximity(pair, broadphase_.forecast(now, pair.first, ticks_), now, apart_until);
-}
-
-void dxPredictiveSpace::follow_shapes(const std::vector<ProxyId> &ids, GeomScene &now)
-{
-    if (!by_shape())
-        return;
-    IdSet wanted;
-    wanted.resize(geoms_.size());
-    for (ProxyId id : ids)
-        wanted.insert(id);
-    broadphase_.follow_shapes(now, wanted);
 }
 
 std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &pair, const Forecast &first,
@@ -44,28 +40,21 @@ std::optional<double> dxPredictiveSpace::time_of_proximity(const CandidatePair &
     return contact ? std::optional<double>(std::max(*earliest, *contact)) : std::nullopt;
 }
 
-std::vector<ProxyId> dxPredictiveSpace::members() const
-{
-    std::vector<ProxyId> members;
-    broadphase_.proxies().members().for_each([&](ProxyId id) { members.push_back(id); });
-    return members;
-}
-
 std::vector<dxPredictiveSpace::Encounter> dxPredictiveSpace::encounters(dxGeom *geom)
 {
     const ProxyId self = proxy_of(geom);
     GeomScene now = scene();
-    const std::vector<ProxyId> members = this->members();
-    follow_shapes(members, now);
+    const IdSet &members = broadphase_.proxies().members();
+    if (by_shape())
+        broadphase_.follow_shapes(now, members);
     const Forecast own = broadphase_.forecast(now, self, ticks_);
     std::vector<std::pair<double, ProxyId>> times;
-    for (ProxyId other : members)
-    {
+    members.for_each([&](ProxyId other) {
         double apart_until;
         const auto time = other == self ? std::nullopt : time_of_proximity({self, other}, own, now, &apart_until);
         if (time)
             times.emplace_back(*time, other);
-    }
+    });
     std::sort(times.begin(), times.end()); // equal times are ordered by number, never by address
     std::vector<Encounter> met;
     for (const auto &[time, id] : times)

@@ -125,20 +125,15 @@ std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin)
     return RayProbe(begin, end, miss * length + double{origin.doubt().largest_of_three()});
 }
 
-bool line_may_touch(dxGeom *ray, const dxGeom *geom)
+bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
 {
-    if (touched_off_line(geom) || is_skewed(ray))
+    if (probe->type != dRayClass || touched_off_line(geom) || is_skewed(probe))
         return true;
-    const std::optional<RayProbe> line = line_of_ray(ray, Origin());
+    const std::optional<RayProbe> line = line_of_ray(probe, Origin());
     return !line || line->overlaps(FloatBox::around(to_box(geom->aabb)));
 }
 
 // Not inlined: most geoms have no offset.
-[[gnu::noinline]] bool turns_safely_at_offset(const dxGeom *geom)
-{
-    return CarriedGeom(geom).turns_safely(most_offset);
-}
-
 [[gnu::noinline]] double radius_at_offset(const dxGeom *geom)
 {
     const double radius = circumscribed_radius(geom);
@@ -147,25 +142,21 @@ bool line_may_touch(dxGeom *ray, const dxGeom *geom)
 
 double circumscribed_radius(const dxGeom *geom)
 {
+    const dReal *sizes = sizes_of(geom);
     switch (geom->type)
     {
     case dSphereClass:
-        return static_cast<const dxSphere *>(geom)->radius * (1 + tolerance);
+        return sizes[0] * (1 + tolerance);
     case dBoxClass:
     {
-        const dReal *side = static_cast<const dxBox *>(geom)->side;
-        const double x = side[0], y = side[1], z = side[2];
+        const double x = sizes[0], y = sizes[1], z = sizes[2];
         return std::sqrt(x * x + y * y + z * z) / 2 * (1 + tolerance);
     }
     case dCapsuleClass:
-    {
-        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-        return (capsule->radius + 0.5 * capsule->lz) * (1 + tolerance);
-    }
+        return (sizes[0] + 0.5 * sizes[1]) * (1 + tolerance);
     case dCylinderClass:
     {
-        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        const double radius = cylinder->radius, half = 0.5 * cylinder->lz;
+        const double radius = sizes[0], half = 0.5 * sizes[1];
         return std::sqrt(radius * radius + half * half) * (1 + tolerance);
     }
     default:
@@ -175,29 +166,21 @@ double circumscribed_radius(const dxGeom *geom)
 
 Solid solid_of(const dxGeom *geom)
 {
+    const dReal *sizes = sizes_of(geom);
     switch (geom->type)
     {
     case dSphereClass:
-        return {Watch::sphere, static_cast<float>(static_cast<const dxSphere *>(geom)->radius)};
+        return {Watch::sphere, static_cast<float>(sizes[0])};
     case dBoxClass:
-    {
-        const dReal *side = static_cast<const dxBox *>(geom)->side;
-        return {Watch::box, static_cast<float>(side[0] / 2), static_cast<float>(side[1] / 2),
-                static_cast<float>(side[2] / 2)};
-    }
+        return {Watch::box, static_cast<float>(sizes[0] / 2), static_cast<float>(sizes[1] / 2),
+                static_cast<float>(sizes[2] / 2)};
     case dCapsuleClass:
-    {
-        const dxCapsule *capsule = static_cast<const dxCapsule *>(geom);
-        return {Watch::capsule, static_cast<float>(capsule->radius), 0, static_cast<float>(capsule->lz / 2)};
-    }
+        return {Watch::capsule, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[1] / 2)};
     case dCylinderClass:
-    {
         // In single precision, the error of ODE's box, the root of a small difference, exceeds the margin of a tight box.
         if (sizeof(dReal) < sizeof(double))
             return {};
-        const dxCylinder *cylinder = static_cast<const dxCylinder *>(geom);
-        return {Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)};
-    }
+        return {Watch::cylinder, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[1] / 2)};
     default:
         return {};
     }
@@ -291,6 +274,14 @@ Box GeomScene::bounds(ProxyId id)
     return to_box(valid_aabb(geoms_[id]));
 }
 
+// Does the geom turn about its position, so that a bounding sphere measured earlier still holds it?
+static bool turns_safely(const dxGeom *geom)
+{
+    if (geom->offset_posr)
+        return CarriedGeom(geom).turns_safely(most_offset);
+    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
+}
+
 // None if the point is unknown or not finite.
 static std::optional<Vector3> pivot_of(dxGeom *geom)
 {
@@ -345,10 +336,5 @@ void GeomScene::find_disabled(const std::vector<ProxyId> &ids, IdSet &disabled)
     for (ProxyId id : ids)
         if (!enabled(geoms_[id]))
             disabled.insert(id);
-}
-
-bool GeomScene::spheres_overlap(dxGeom *one, dxGeom *other)
-{
-    return spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one);
 }
 } // namespace ode_predictive_space

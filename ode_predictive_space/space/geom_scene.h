@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SCENE_H
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/space/hull_store.h"
 #include "ode_predictive_space/space/ode_internals.h"
-#include "ode_predictive_space/space/rotation.h"
 
 namespace ode_predictive_space
 {
@@ -29,16 +27,6 @@ inline const dReal *sizes_of(const dxGeom *geom)
     return reinterpret_cast<const dReal *>(geom + 1);
 }
 
-bool turns_safely_at_offset(const dxGeom *geom);
-
-/// Does the geom turn about its position, so that a bounding sphere measured earlier still holds it?
-inline bool turns_safely(const dxGeom *geom)
-{
-    if (geom->offset_posr)
-        return turns_safely_at_offset(geom);
-    return geom->type == dSphereClass || (geom->body && keeps_within_sphere(geom->final_posr->R));
-}
-
 /// Is a geom with these flags enabled, and has it a size?
 inline bool enabled(int flags)
 {
@@ -47,11 +35,6 @@ inline bool enabled(int flags)
 inline bool enabled(const dxGeom *geom)
 {
     return enabled(geom->gflags);
-}
-inline bool both_enabled(const dxGeom *one, const dxGeom *other)
-{
-    const int off = (one->gflags ^ GEOM_ENABLE_TEST_VALUE) | (other->gflags ^ GEOM_ENABLE_TEST_VALUE);
-    return (off & GEOM_ENABLE_TEST_MASK) == 0;
 }
 
 /// The flags of a geom whose bounding box another thread may be computing. Without GEOM_AABB_BAD, the box can be read.
@@ -88,14 +71,8 @@ bool touched_off_line(const dxGeom *geom);
 /// The line of a ray, relative to the origin; none if it is not finite.
 std::optional<RayProbe> line_of_ray(dxGeom *ray, const Origin &origin);
 
-/// @pre the boxes are valid.
-bool line_may_touch(dxGeom *ray, const dxGeom *geom);
-
-/// @pre the boxes are valid.
-inline bool ray_may_touch(dxGeom *probe, const dxGeom *geom)
-{
-    return probe->type != dRayClass || line_may_touch(probe, geom);
-}
+/// Can the line of the probe touch the geom? True if the probe is no ray. @pre the boxes are valid.
+bool ray_may_touch(dxGeom *probe, const dxGeom *geom);
 
 /// The sphere test of proximity, without the boxes; true for pairs that only boxes can judge. @pre the boxes are valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);
@@ -139,7 +116,9 @@ public:
     {
         compute_box_beside_others(one);
         compute_box_beside_others(other);
-        return aabbs_overlap(one, other) && (!by_sphere_ || spheres_overlap(one, other));
+        if (!aabbs_overlap(one, other))
+            return false;
+        return !by_sphere_ || (spheres_may_touch(one, other) && ray_may_touch(one, other) && ray_may_touch(other, one));
     }
 
     /// Prefetch a geom and, some time later, its pose, before its bounding box is read.
@@ -147,7 +126,6 @@ public:
     void prefetch_pose(ProxyId id) const;
 
 private:
-    static bool spheres_overlap(dxGeom *one, dxGeom *other);
     template <typename Visit, typename... Fetches>
     void for_each(std::size_t count, Visit visit, Fetches... fetches) const;
     Observation observation(ProxyId id, const Origin &origin);

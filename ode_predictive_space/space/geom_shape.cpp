@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ode_predictive_space/space/geom_scene.h"
+#include "ode_predictive_space/space/rotation.h"
 
 namespace ode_predictive_space
 {
@@ -146,27 +147,17 @@ bool take_sizes(const dxGeom *geom, ConvexShape &shape)
     return shape.half_sides.lpNorm<1>() + shape.radius <= largest_length;
 }
 
-bool take_hull(const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
+bool take_hull(const dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
 {
     if (!hull)
         return false;
+    const bool is_terrain = geom->type == dHeightfieldClass;
     shape.hull = hull;
     shape.slack_beside_own = quotient(2 * coplanar, hull->least_normal);
     shape.sliver_factor = sliver_factor_of(*hull);
-    shape.kind = ShapeKind::hull;
+    shape.kind = is_terrain ? ShapeKind::terrain : ShapeKind::hull;
     shape.half_sides = hull->half_sides();
-    shape.size = 2 * shape.half_sides.minCoeff();
-    return true;
-}
-
-bool take_terrain(const std::shared_ptr<const DataHull> &ground, ConvexShape &shape)
-{
-    if (!ground)
-        return false;
-    shape.hull = ground;
-    shape.kind = ShapeKind::terrain;
-    shape.half_sides = ground->half_sides();
-    shape.size = std::numeric_limits<double>::infinity();
+    shape.size = is_terrain ? std::numeric_limits<double>::infinity() : 2 * shape.half_sides.minCoeff();
     return true;
 }
 
@@ -181,20 +172,14 @@ bool take_plane(const dxGeom *geom, ConvexShape &shape)
     return std::abs(shape.axes[0].squaredNorm() - 1) <= most_skew && shape.centre.lpNorm<1>() <= largest_length;
 }
 
-bool take_form(const dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
-{
-    if (geom->type <= dCylinderClass)
-        return take_sizes(geom, shape);
-    return geom->type == dHeightfieldClass ? take_terrain(hull, shape) : take_hull(hull, shape);
-}
-
 bool take_all(dxGeom *geom, const std::shared_ptr<const DataHull> &hull, ConvexShape &shape)
 {
     if (geom->gflags & GEOM_ZERO_SIZED)
         return false;
     if (geom->type == dPlaneClass)
         return take_plane(geom, shape);
-    return take_form(geom, hull, shape) && take_pose(geom, shape);
+    const bool has_form = geom->type <= dCylinderClass ? take_sizes(geom, shape) : take_hull(geom, hull, shape);
+    return has_form && take_pose(geom, shape);
 }
 
 bool keeps_form(dxGeom *geom, const ConvexShape &shape)

@@ -36,12 +36,6 @@ bool heightfields_are_as_expected()
     return callback_as_expected && samples_as_expected;
 }
 
-bool knows_heightfields()
-{
-    static const bool known = heightfields_are_as_expected();
-    return known;
-}
-
 template <typename T> double element(const void *samples, int index)
 {
     return static_cast<double>(static_cast<const T *>(samples)[index]);
@@ -70,7 +64,8 @@ double HeightSamples::sample(int column, int row) const
 
 HeightSamples *writable_height_data(dHeightfieldDataID data)
 {
-    return knows_heightfields() ? laid_out(data) : nullptr;
+    static const bool known = heightfields_are_as_expected();
+    return known ? laid_out(data) : nullptr;
 }
 
 const HeightSamples *height_data_of(dGeomID heightfield)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/tuning.h"
 #include "ode_predictive_space/prediction/envelope.h"
 #include "ode_predictive_space/space/geom_scene.h"
@@ -17,20 +16,12 @@ namespace
 {
 constexpr std::size_t steps_per_triangle = 3, steps_per_point = 13; // to read a triangle, and to add a point to a hull
 
-template <typename T> std::uint64_t word(T *pointer)
+// The bytes of an address or a number, or of two short numbers.
+template <typename T> std::uint64_t word(T value)
 {
-    return reinterpret_cast<std::uintptr_t>(pointer);
-}
-
-std::uint64_t word(int number)
-{
-    return static_cast<unsigned>(number);
-}
-
-std::uint64_t word(double number)
-{
-    std::uint64_t bits;
-    std::memcpy(&bits, &number, sizeof bits);
+    std::uint64_t bits = 0;
+    // T may be a pointer: its own size is meant. NOLINTNEXTLINE(bugprone-sizeof-expression)
+    std::memcpy(&bits, &value, sizeof value);
     return bits;
 }
 
@@ -42,7 +33,7 @@ DataKey key_of(const dxConvex *convex)
 // The address of ODE's data is included, because data that share arrays still have separate boxes.
 DataKey key_of(const TriangleArrays &mesh)
 {
-    return {word(mesh.vertices),  mesh.vertex_count,   word(mesh.vertex_stride) << 1 | mesh.single,
+    return {word(mesh.vertices),  mesh.vertex_count,   word(std::array{mesh.vertex_stride, int{mesh.single}}),
             word(mesh.triangles), mesh.triangle_count, word(mesh.triangle_stride),
             word(&mesh)};
 }
@@ -52,12 +43,12 @@ DataKey key_of(const HeightSamples &heights)
     return {word(heights.samples),
             word(heights.user_data),
             word(heights.get_height),
-            word(heights.columns) << 32 | word(heights.rows),
-            word(heights.source) << 1 | (heights.repeats != 0),
-            word(double{heights.cell_x}),
-            word(double{heights.cell_z}),
-            word(double{heights.scale}),
-            word(double{heights.offset})};
+            word(std::array{heights.columns, heights.rows}),
+            word(std::array{heights.source, int{heights.repeats != 0}}),
+            word(heights.cell_x),
+            word(heights.cell_z),
+            word(heights.scale),
+            word(heights.offset)};
 }
 
 // The box that ODE stores when a mesh's data are built. It is the bounding box of an unmoved geom.
@@ -142,11 +133,6 @@ std::vector<Vector3> PointCloud::take_points()
     return points_.size() <= tuning::most_hull_points ? std::exchange(points_, {}) : corners();
 }
 
-std::size_t PointCloud::bytes() const
-{
-    return bytes_of(points_);
-}
-
 std::size_t MeshReader::read(std::size_t steps, PointCloud &points)
 {
     for (; triangle_ < mesh_.triangle_count && is_readable_; steps -= steps_per_triangle)
@@ -197,11 +183,14 @@ std::size_t HullMaker::go_on(std::size_t steps)
     {
         if (mesh_)
             steps = mesh_->read(steps, points_);
+        else if (geom_->type == dConvexClass)
+            add_points(*static_cast<const dxConvex *>(geom_), points_);
         else
-            read_points();
+            add_corners(*height_data_of(geom_), points_);
         if (mesh_ && !mesh_->is_done())
             return 0;
-        finish_reading();
+        const bool is_usable = points_.is_usable() && (!mesh_ || mesh_->is_readable());
+        stage_ = is_usable ? Stage::hull : Stage::done;
     }
     if (stage_ == Stage::hull)
         steps = make_hull(steps);
@@ -212,20 +201,6 @@ std::size_t HullMaker::go_on(std::size_t steps)
             stage_ = Stage::done;
     }
     return is_done() ? steps : 0;
-}
-
-void HullMaker::read_points()
-{
-    if (geom_->type == dConvexClass)
-        add_points(*static_cast<const dxConvex *>(geom_), points_);
-    else
-        add_corners(*height_data_of(geom_), points_);
-}
-
-void HullMaker::finish_reading()
-{
-    const bool is_usable = points_.is_usable() && (!mesh_ || mesh_->is_readable());
-    stage_ = is_usable ? Stage::hull : Stage::done;
 }
 
 std::size_t HullMaker::make_hull(std::size_t steps)

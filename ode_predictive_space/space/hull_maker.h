@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/shape/vertex_hull.h"
 #include "ode_predictive_space/space/ode_internals.h"
 #include "ode_predictive_space/surface/triangle_arrays.h"
@@ -38,9 +39,9 @@ struct DataHull : VertexHull
     DataHull(VertexHull &&points, const DataKey &data) : VertexHull(std::move(points)), key(data) {}
 
     DataKey key;
-    /// Twice the area of the smallest triangle of a mesh; infinite for a convex.
+    /// Twice the area of the smallest triangle of a mesh; infinite for other data.
     double least_normal = std::numeric_limits<double>::infinity();
-    /// The largest aspect ratio of a mesh's triangles: longest side by the height on it; 1 for a convex.
+    /// The largest aspect ratio of a mesh's triangles: longest side by the height on it; 1 for other data.
     double aspect = 1;
     bool outdated = false; ///< the data have been changed in place
     bool has_old_box =
@@ -60,7 +61,7 @@ public:
 
     std::vector<Vector3> take_points();
     std::vector<Vector3> corners() const;
-    std::size_t bytes() const;
+    std::size_t bytes() const { return bytes_of(points_); }
 
 private:
     std::vector<Vector3> points_; // if there are too many, one more than allowed
@@ -122,8 +123,6 @@ private:
         done
     };
 
-    void read_points();
-    void finish_reading();
     std::size_t make_hull(std::size_t steps);
     void begin_surface();
 

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/space/mesh_data.h"
 
 #include <array>
-#include <memory>
 
 namespace ode_predictive_space
 {
@@ -21,27 +20,23 @@ template <typename Real, typename Build> bool is_laid_out_as_expected(Build buil
     for (std::size_t i = 0; i < coordinates.size(); ++i)
         coordinates[i] = static_cast<Real>(i * i);
     const std::array<dTriIndex, 4 * triangles> indices{0, 1, 2, 0, 2, 3, 4, 0};
-    const std::unique_ptr<dxTriMeshData, void (*)(dTriMeshDataID)> owner(dGeomTriMeshDataCreate(),
-                                                                         dGeomTriMeshDataDestroy);
-    const dTriMeshDataID data = owner.get();
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
     build(data, coordinates.data(), vertex_stride, vertices, indices.data(), 3 * triangles, triangle_stride);
     const TriangleArrays &found = *laid_out(data);
-    return found.vertices == coordinates.data() && found.vertex_stride == vertex_stride &&
-           found.vertex_count == vertices && found.triangles == indices.data() && found.triangle_count == triangles &&
-           found.triangle_stride == triangle_stride && found.single == (sizeof(Real) == sizeof(float));
-}
-
-bool knows_layout()
-{
-    static_assert(sizeof(dTriIndex) == 4, "as ODE is configured by default");
-    static const bool known = is_laid_out_as_expected<float>(dGeomTriMeshDataBuildSingle) &&
-                              is_laid_out_as_expected<double>(dGeomTriMeshDataBuildDouble);
-    return known;
+    const bool as_expected = found.vertices == coordinates.data() && found.vertex_stride == vertex_stride &&
+                             found.vertex_count == vertices && found.triangles == indices.data() &&
+                             found.triangle_count == triangles && found.triangle_stride == triangle_stride &&
+                             found.single == (sizeof(Real) == sizeof(float));
+    dGeomTriMeshDataDestroy(data);
+    return as_expected;
 }
 } // namespace
 
 const TriangleArrays *mesh_data_of(dGeomID mesh)
 {
-    return knows_layout() ? laid_out(dGeomTriMeshGetData(mesh)) : nullptr;
+    static_assert(sizeof(dTriIndex) == 4, "as ODE is configured by default");
+    static const bool known = is_laid_out_as_expected<float>(dGeomTriMeshDataBuildSingle) &&
+                              is_laid_out_as_expected<double>(dGeomTriMeshDataBuildDouble);
+    return known ? laid_out(dGeomTriMeshGetData(mesh)) : nullptr;
 }
 } // namespace ode_predictive_space

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ode_predictive_space/space/geom_scene.h"
+#include "ode_predictive_space/space/rotation.h"
 
 namespace ode_predictive_space
 {

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/space/ode_check.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>

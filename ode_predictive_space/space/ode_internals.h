@@ -31,8 +31,8 @@ namespace ode_predictive_space
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 constexpr int class_of_predictive_space = dPredictiveSpaceClass;
 #else
-// Only dHashSpaceSetLevels() and dHashSpaceGetLevels() cast by this number in ODE, and hash_levels.h satisfies them: a program
-// whose hash space is replaced may still call them. Colliders are the same for all spaces.
+// Only dHashSpaceSetLevels() and dHashSpaceGetLevels() cast by this number in ODE, and dxPredictiveSpace has what they expect: a
+// program whose hash space is replaced may still call them. Colliders are the same for all spaces.
 constexpr int class_of_predictive_space = dHashSpaceClass;
 #endif
 } // namespace ode_predictive_space

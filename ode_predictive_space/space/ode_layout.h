@@ -88,15 +88,6 @@ struct dxGeom : public dBase
         computePosr();
         gflags &= ~GEOM_POSR_BAD;
     }
-
-    void recomputeAABB()
-    {
-        if (!(gflags & GEOM_AABB_BAD))
-            return;
-        recomputePosr();
-        computeAABB();
-        gflags &= ~GEOM_AABB_BAD;
-    }
 };
 
 /// The object behind a dSpaceID, a geom that contains geoms.

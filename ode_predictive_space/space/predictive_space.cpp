@@ -1,8 +1,6 @@
 #include "ode_predictive_space/space/predictive_space.h"
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "ode_predictive_space/space/geom_shape.h"
@@ -21,7 +19,7 @@ void listen_to(dxGeom *geom)
 }
 } // namespace
 
-dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpaceWithHashLevels(parent)
+dxPredictiveSpace::dxPredictiveSpace(dxSpace *parent) : dxSpace(parent)
 {
     type = class_of_predictive_space;
 }
@@ -60,7 +58,6 @@ void dxPredictiveSpace::add(dxGeom *geom)
         fit_to_proxies();
     }
     dxSpace::add(geom);
-    has_data_ = HasData::unknown;
     // Nothing is thrown from here on. A failure above (memory, an assertion of ODE) leaves the space as it was.
     geom->next_ex = nullptr;
     geom->tome_ex = nullptr;
@@ -101,7 +98,6 @@ void dxPredictiveSpace::remove(dxGeom *geom)
     CHECK_NOT_LOCKED(this);
     dUASSERT(geom->parent_space == this, "object is not in this space");
     dxSpace::remove(geom);
-    has_data_ = HasData::unknown;
     if (moved_mesh_ == geom)
         moved_mesh_ = nullptr;
     if (predicts_)
@@ -318,29 +314,22 @@ void dxPredictiveSpace::collide_each(void *data, dNearCallback *callback)
         call_back(pair->one, pair->other, data, callback);
 }
 
-bool dxPredictiveSpace::has_geoms_with_data()
+bool dxPredictiveSpace::has_geoms_with_data() const
 {
-    if (has_data_.load(std::memory_order_relaxed) == HasData::unknown)
-    {
-        bool any = false;
-        for (const dxGeom *geom = first; geom; geom = geom->next)
-            any |= has_data(geom);
-        has_data_.store(any ? HasData::yes : HasData::no, std::memory_order_relaxed);
-    }
-    return has_data_.load(std::memory_order_relaxed) == HasData::yes;
+    for (const dxGeom *geom = first; geom; geom = geom->next)
+        if (has_data(geom))
+            return true;
+    return false;
 }
 
 void dxPredictiveSpace::clean_each()
 {
     for (dxGeom *geom = first; geom; geom = geom->next)
-    {
-        if (!(geom->gflags & GEOM_DIRTY))
-            continue;
-        if (IS_SPACE(geom))
-            static_cast<dxSpace *>(geom)->cleanGeoms();
-        compute_box_beside_others(geom);
-        listen_to(geom);
-    }
+        if (geom->gflags & GEOM_DIRTY)
+        {
+            valid_aabb(geom);
+            listen_to(geom);
+        }
 }
 
 void dxPredictiveSpace::collide_predicted(bool nested_call, void *data, dNearCallback *callback)
@@ -384,7 +373,7 @@ inline void dxPredictiveSpace::call_back(dxGeom *one, dxGeom *other, void *data,
 {
     if (!bits_agree(one, other))
         return;
-    if (!both_enabled(one, other))
+    if (!enabled(one) || !enabled(other))
         return note_disabled(enabled(one) ? other : one);
     if (!wants_callback(one, other))
         return;
@@ -431,19 +420,8 @@ Role dxPredictiveSpace::role(dxGeom *geom) const
     return predicts_ ? broadphase_.proxies().records[proxy_of(geom)].role : Role::environment;
 }
 
-void dxPredictiveSpace::set_deviation(int role, const Deviation *deviation)
+void dxPredictiveSpace::set_settings(const PredictionSettings &settings)
 {
-    PredictionSettings settings = broadphase_.settings();
-    auto &fixed = settings.deviation[static_cast<std::size_t>(role)];
-    fixed = deviation ? std::optional(*deviation) : std::nullopt;
-    broadphase_.set_settings(settings);
-    access_.forget_catching_up();
-}
-
-void dxPredictiveSpace::set_horizon(const HorizonBounds &horizon)
-{
-    PredictionSettings settings = broadphase_.settings();
-    settings.horizon = horizon;
     broadphase_.set_settings(settings);
     access_.forget_catching_up();
 }

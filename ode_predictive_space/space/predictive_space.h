@@ -3,8 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 #define ODE_PREDICTIVE_SPACE_SPACE_PREDICTIVE_SPACE_H
 
-#include <atomic>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -12,13 +10,16 @@
 #include "ode_predictive_space/broadphase/broadphase.h"
 #include "ode_predictive_space/space/access.h"
 #include "ode_predictive_space/space/geom_scene.h"
-#include "ode_predictive_space/space/hash_levels.h"
 #include "ode_predictive_space/space/off_line_geoms.h"
 
 /// By box, the space calls its callback for exactly the pairs of a dxSimpleSpace. With few geoms it works as one until it has
 /// to predict, which then never ends. While it predicts, next_ex of each geom holds the proxy number + 1; before, it is null.
-struct dxPredictiveSpace : public dxSpaceWithHashLevels
+struct dxPredictiveSpace : public dxSpace
 {
+    /// First, where dHashSpaceGetLevels() and dHashSpaceSetLevels(), the only readers, expect them: directly after the members
+    /// of dxSpace. The values are those of a new hash space.
+    int global_minlevel = -3, global_maxlevel = 10;
+
     explicit dxPredictiveSpace(dxSpace *parent);
     ~dxPredictiveSpace() override;
 
@@ -32,8 +33,7 @@ struct dxPredictiveSpace : public dxSpaceWithHashLevels
     void set_proximity_test(ode_predictive_space::ProximityTest test);
     void set_shape_margin(double margin);
     void set_role(dxGeom *geom, ode_predictive_space::Role role);
-    void set_deviation(int role, const ode_predictive_space::Deviation *deviation);
-    void set_horizon(const ode_predictive_space::HorizonBounds &horizon);
+    void set_settings(const ode_predictive_space::PredictionSettings &settings);
     ode_predictive_space::Role role(dxGeom *geom) const;
 
     /// Updates the broad phase without a tick. @return false, after a message, if another thread's tick or a caller further up
@@ -123,11 +123,9 @@ private:
     bool by_shape() const { return broadphase_.proximity_test() == ode_predictive_space::ProximityTest::shape; }
 
     // forecast_query.cpp
-    void follow_shapes(const std::vector<ProxyId> &ids, ode_predictive_space::GeomScene &now);
     std::optional<double> time_of_proximity(const ode_predictive_space::CandidatePair &pair,
                                             const ode_predictive_space::Forecast &first,
                                             ode_predictive_space::GeomScene &now, double *apart_until);
-    std::vector<ProxyId> members() const;
 
     // validation.cpp
     Violation find_misplaced(const std::vector<ProxyId> &members, ode_predictive_space::GeomScene &now) const;
@@ -139,8 +137,8 @@ private:
     void enrol(dxGeom *geom);
     void dismiss(dxGeom *geom);
     // Among few primitives, the shape test does not pay.
-    bool tests_shapes() { return by_shape() && (predicts_ || has_geoms_with_data()); }
-    bool has_geoms_with_data();
+    bool tests_shapes() const { return by_shape() && (predicts_ || has_geoms_with_data()); }
+    bool has_geoms_with_data() const;
     void collide_each(void *data, dNearCallback *callback);
     void clean_each();
     void collide_predicted(bool nested_call, void *data, dNearCallback *callback);
@@ -156,14 +154,7 @@ private:
     void note_change(ProxyId id);
     void fit_to_proxies();
 
-    enum class HasData : char
-    {
-        unknown, // since geoms were added or removed
-        no,
-        yes
-    };
-    std::atomic<HasData> has_data_{HasData::unknown}; // does any geom have data? Only used before the space predicts
-    bool predicts_ = false;                           // otherwise the broad phase is empty
+    bool predicts_ = false; // otherwise the broad phase is empty
     ode_predictive_space::Broadphase broadphase_;
     std::vector<dxGeom *> geoms_; // indexed by proxy number; null for gaps
 

@@ -108,15 +108,13 @@ dxPredictiveSpace::Query dxPredictiveSpace::query_of(dxGeom *geom)
 [[gnu::always_inline]] inline void dxPredictiveSpace::answer(dxGeom *other, const Query &query, bool is_on_line,
                                                              void *data, dNearCallback *callback)
 {
-    // Checked here to save the call of may_touch(): a space of primitives has no other pairs.
-    const auto are_primitives = [&] { return by_shape() && !query.line && !has_data(other) && !has_data(query.geom); };
     const int flags = flags_beside_others(other);
     if (!enabled(flags))
         return;
     if (flags & GEOM_AABB_BAD)
         compute_box(other);
     if (aabbs_overlap(other, query.geom) && bits_agree(other, query.geom) && wants_callback(other, query.geom) &&
-        (by_box() || are_primitives() || may_touch(other, query, is_on_line)))
+        (by_box() || may_touch(other, query, is_on_line)))
         callback(data, other, query.geom);
 }
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "ode_predictive_space/space/pair_filter.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 using namespace ode_predictive_space;
@@ -99,7 +98,8 @@ dxPredictiveSpace::Violation dxPredictiveSpace::find_violation()
     const Lock lock(this);
     GeomScene now = scene();
     broadphase_.find_new_pairs(now);
-    const std::vector<ProxyId> members = this->members();
+    std::vector<ProxyId> members;
+    broadphase_.proxies().members().for_each([&](ProxyId id) { members.push_back(id); });
     const Violation misplaced = find_misplaced(members, now);
     if (misplaced.what)
         return misplaced;

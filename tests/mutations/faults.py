@@ -439,8 +439,8 @@ def shape_faults():
         "hulls_are_made_again_after_a_pause", "shapes", hulls, "    return {own.hull, !is_done};",
         "    return {std::exchange(own.hull, nullptr), !is_done};", (("shape_contract", "SurfaceBuilding.*"),))
     yield Fault(
-        "offset_of_heights_is_no_other_hull", "shapes", maker, "word(double{heights.scale}),\n            word(double{heights.offset})};",
-        "word(double{heights.scale})};", (("shape_contract", "HullOfHeights.*"),))
+        "offset_of_heights_is_no_other_hull", "shapes", maker, "word(heights.scale),\n            word(heights.offset)};",
+        "word(heights.scale)};", (("shape_contract", "HullOfHeights.*"),))
     yield Fault(
         "half_of_a_hull_not_searched", "shapes", BROADPHASE + "shape/vertex_hull.cpp",
         "if (less > best.reach)\n        search(nearer, direction, absolute, best);", "", (("shapes", "Gap.*"),))
@@ -665,8 +665,8 @@ def space_faults():
         (("shape_contract", "ShapeQuery.*"),))
     yield Fault(
         "size_of_a_cylinder_unknown", "space", scene,
-        "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->lz / 2)}",
-        "{Watch::cylinder, static_cast<float>(cylinder->radius), 0, static_cast<float>(cylinder->radius)}",
+        "{Watch::cylinder, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[1] / 2)}",
+        "{Watch::cylinder, static_cast<float>(sizes[0]), 0, static_cast<float>(sizes[0])}",
         contract("*EveryPlaceableClass*") + (HISTORIES,))
     yield Fault(
         "sphere_of_a_box_too_small", "space", scene, "std::sqrt(x * x + y * y + z * z) / 2", "std::sqrt(x * x + 0 * y + z * z) / 2",
@@ -689,8 +689,8 @@ def space_faults():
         "for (dxGeom *geom = first; geom; geom = geom->next)\n        compute_box_beside_others(geom);", nests)
     # Spaces of few geoms.
     yield Fault(
-        "few_geoms_stay_dirty", "space", space, "compute_box_beside_others(geom);\n        listen_to(geom);",
-        "compute_box_beside_others(geom);", contract("*"))
+        "few_geoms_stay_dirty", "space", space, "valid_aabb(geom);\n            listen_to(geom);",
+        "valid_aabb(geom);", contract("*"))
     yield Fault(
         "few_geoms_forgotten", "space", space, "tuning::few_objects)\n        start_predicting();",
         "tuning::few_objects)\n        predicts_ = true;", contract("FewGeoms.*"))
@@ -729,8 +729,8 @@ def space_faults():
         "return skew <= most_skew ? radius_ * (1 + skew) + rounding_at(bounds_)", "return skew < 1e300 ? radius_ + rounding_at(bounds_)", CONTACT_HISTORIES)
     yield Fault(
         "skewed_rays_judged_by_lines", "space", scene,
-        "if (touched_off_line(geom) || is_skewed(ray))",
-        "if (touched_off_line(geom))", CONTACT_HISTORIES)
+        "touched_off_line(geom) || is_skewed(probe))",
+        "touched_off_line(geom))", CONTACT_HISTORIES)
 
 
 def history_faults():

@@ -64,7 +64,7 @@ void NoticeSpace::cleanGeoms()
     {
         if (geoms_[slot] != nullptr)
         {
-            geoms_[slot]->recomputeAABB();
+            compute_box_beside_others(geoms_[slot]);
         }
     }
 }
@@ -77,7 +77,7 @@ const std::vector<NoticeSpace::Slot> &NoticeSpace::take_moved()
         dxGeom *const geom = geoms_[slot];
         if (geom != nullptr)
         {
-            geom->recomputeAABB();
+            compute_box_beside_others(geom);
             geom->gflags &= ~GEOM_DIRTY;
             moved_.push_back(slot);
         }
@@ -90,7 +90,7 @@ void NoticeSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
 {
     const Lock lock(*this);
     cleanGeoms();
-    geom->recomputeAABB();
+    compute_box_beside_others(geom);
     for (dxGeom *const own : geoms_)
     {
         if (own != nullptr)
