@@ -49,7 +49,7 @@ TEST(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
         });
         SimulatedClock clock;
         HapticLoop loop(probe, simulated(clock, 0.5, true, 100));
-        loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+        loop.run(world.work(probe));
         EXPECT_GT(compared, 40);
     }
 }

@@ -52,7 +52,7 @@ void rest_hand_in(CouplingScene &scene, bool by_proxy, double physics_rate, doub
     HapticProbe probe(device, scene.space, probe_radius, rendering);
     const bool decoupled = physics_rate > 0;
     HapticLoop loop(probe, simulated(clock, seconds, decoupled, decoupled ? physics_rate : 1000));
-    loop.run({[&] { scene.collide(probe); }, [&](double step) { scene.step(step); }});
+    loop.run(scene.work(probe));
 }
 
 /// @param phase m; added to the distance of the balls. @return the part of their energy that the balls keep.

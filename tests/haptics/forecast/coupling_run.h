@@ -108,31 +108,18 @@ public:
         pushed_ += scene_.force_of_hand() / (decoupled_ ? physics_rate : 1000.0);
         if (outcome_.impulse > 0)
         {
-            const Vector3 given = given_by(log);
+            const Vector3 given = log.impulse();
             outcome_.unmatched = decoupled_ ? (pushed_ + given).norm() / given.norm() : 0;
         }
     }
 
     const Outcome &outcome() const { return outcome_; }
-    const CouplingScene &scene() const { return scene_; }
 
 private:
     static int felt_in(const std::vector<Touch> &touches)
     {
         return static_cast<int>(
             std::count_if(touches.begin(), touches.end(), [](const Touch &touch) { return touch.depth > 0; }));
-    }
-
-    /// N s; on the hand.
-    Vector3 given_by(const WriteLog &log) const
-    {
-        Vector3 sum = Vector3::Zero();
-        for (std::size_t i = 0; i < log.writes().size(); ++i)
-        {
-            const double until = i + 1 < log.writes().size() ? log.writes()[i + 1].time : clock_.now();
-            sum += (until - log.writes()[i].time) * log.writes()[i].wrench.force;
-        }
-        return sum;
     }
 
     void note(const RenderedTick &tick)

@@ -179,12 +179,7 @@ TEST(Coupling, AProgramIsNotBlamedForWhatTheTrialStepsLeaveOut)
     ScriptedDevice device([](double) { return Vector3(-0.0155, 0, 0); });
     device.open();
     HapticProbe probe(device, scene.space, 0.005, with_stiffness(CouplingCase::stiffness));
-    LoopSettings settings;
-    settings.decoupled = true;
-    settings.physics_rate = 100;
-    settings.duration = 1;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
+    LoopSettings settings = simulated(clock, 1, true, 100);
     settings.notice = notices.sink();
     double push = 10; // N
     HapticLoop loop(probe, settings);

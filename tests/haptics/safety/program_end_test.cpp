@@ -191,11 +191,7 @@ private:
     void run_loop(HapticProbe &probe, bool decoupled)
     {
         HapticLoop loop(probe, simulated(clock_, 20, decoupled));
-        loop.run({[&] { world_.collide(probe); },
-                  [&](double dt) {
-                      world_.step(dt);
-                      at(Place::advance);
-                  }});
+        loop.run(world_.work(probe, [this](double) { at(Place::advance); }));
     }
 
     SharedForce &force_;
