@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -195,6 +196,21 @@ inline Outcome ensemble(const CouplingCase &scenario, Stepper stepper, double ph
         outcomes.push_back(CoupledRun(scenario, offset_of(scenario, hand), stepper, physics_rate, late).outcome());
     return mean_of(outcomes);
 }
+
+/// @param rates Hz; of the scene in two threads.
+inline void expect_as_one_at(const std::vector<double> &rates, const CouplingCase &scenario, Stepper stepper)
+{
+    const Outcome truth = ensemble(scenario, stepper, one_thread);
+    ASSERT_GT(truth.peak_force, 0.1);
+    ASSERT_TRUE(!scenario.change || truth.force_at_change > 0.1);
+    for (const double rate : rates)
+    {
+        SCOPED_TRACE(std::to_string(rate) + " Hz");
+        expect_as_one(ensemble(scenario, stepper, rate), truth, scenario, rate);
+    }
+}
+
+const std::vector<double> all_rates = {60, 100, 200, 500};
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -39,18 +39,8 @@ class CouplingTest : public testing::TestWithParam<NamedCase>
 
 TEST_P(CouplingTest, TwoThreadsAreAsOne)
 {
-    const CouplingCase &scenario = GetParam().scenario;
-    const Outcome truth = ensemble(scenario, GetParam().stepper, one_thread);
-    ASSERT_GT(truth.peak_force, 0.1);
-    ASSERT_TRUE(!scenario.change || truth.force_at_change > 0.1);
-    for (const double rate : GetParam().rates)
-    {
-        SCOPED_TRACE(std::to_string(rate) + " Hz");
-        expect_as_one(ensemble(scenario, GetParam().stepper, rate), truth, scenario, rate);
-    }
+    expect_as_one_at(GetParam().rates, GetParam().scenario, GetParam().stepper);
 }
-
-const std::vector<double> all_rates = {60, 100, 200, 500};
 
 std::vector<NamedCase> coupled_scenes()
 {
