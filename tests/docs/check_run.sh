@@ -63,7 +63,9 @@ refuses() {
     : >"$calls"
     done_by=$("$copy/run" "$@" 2>&1)
     code=$?
-    ((code == 2)) && [[ $done_by != *$'\n'* ]] || complain "exit code $code, or several lines"
+    if ((code != 2)) || [[ $done_by == *$'\n'* ]]; then
+        complain "exit code $code, or several lines"
+    fi
     [[ ! -s $calls ]] || complain "this was called: $(<"$calls")"
 }
 

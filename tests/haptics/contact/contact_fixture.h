@@ -48,12 +48,8 @@ protected:
         properties.friction = friction_;
         const auto penalty = std::make_shared<PenaltyLaw>(properties);
         const auto proxy = std::make_shared<ProxyLaw>(properties);
-        RenderSettings rendering;
-        rendering.law = penalty;
-        if (proxy_law())
-            rendering.law = proxy;
         ScriptedDevice device(path);
-        HapticProbe probe(device, world_.space, radius, rendering);
+        HapticProbe probe(device, world_.space, radius, proxy_law() ? with_law(proxy) : with_law(penalty));
         probe_ = &probe;
         if (prepare_)
             prepare_(probe);

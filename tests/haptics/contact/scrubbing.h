@@ -56,9 +56,7 @@ inline void expect_budget_kept(int rings, int ticks)
         ProbeWorld world;
         mesh.add_to(world.space);
         ScriptedDevice device{Scrub(size)};
-        RenderSettings rendering;
-        rendering.law = std::make_shared<ProxyLaw>(Material{500});
-        HapticProbe probe(device, world.space, size, rendering);
+        HapticProbe probe(device, world.space, size, with_law(std::make_shared<ProxyLaw>(Material{500})));
         probe.sensor()->prepare_all();
         std::size_t most = 0; // triangles that are visited in a tick
         int pressed = 0;

@@ -38,9 +38,7 @@ TEST_P(SlideBudgetTest, LetsTheProxyArriveOnADenseMesh)
     ScriptedDevice device([=](double seconds) {
         return seconds < 1 ? between(above, in, 0.1, 0.4, seconds) : between(in, along, 1, 0.4, seconds);
     });
-    RenderSettings rendering;
-    rendering.law = std::make_shared<ProxyLaw>(Material{k});
-    HapticProbe probe(device, world_.space, size, rendering);
+    HapticProbe probe(device, world_.space, size, with_law(std::make_shared<ProxyLaw>(Material{k})));
     probe.sensor()->prepare_all();
     std::size_t most = 0;
     probe.set_recorder([&](const RenderedTick &) { most = std::max(most, probe.sensor()->tracker()->visited()); });

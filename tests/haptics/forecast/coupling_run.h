@@ -86,9 +86,7 @@ public:
         energy_before_ = scene_.energy();
         ScriptedDevice device([this](double seconds) { return hand_.at(seconds); });
         WriteLog log(device, clock_);
-        RenderSettings rendering;
-        rendering.law = scenario_.law();
-        HapticProbe probe(log, scene_.space, radius, rendering);
+        HapticProbe probe(log, scene_.space, radius, with_law(scenario_.law()));
         probe.set_recorder([this](const RenderedTick &tick) { note(tick); });
         LoopSettings settings = simulated(clock_, HandWay::rests + hand_.duration, decoupled_, physics_rate);
         settings.notice = [this](const Notice &notice) {

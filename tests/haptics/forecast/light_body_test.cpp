@@ -31,9 +31,7 @@ protected:
              const std::function<void(const RenderedTick &)> &recorder = {},
              const std::function<void(double)> &each_step = {})
     {
-        RenderSettings rendering;
-        rendering.law = make_law(GetParam(), Material{stiffness});
-        HapticProbe probe(device, world_.space, radius, rendering);
+        HapticProbe probe(device, world_.space, radius, with_law(make_law(GetParam(), Material{stiffness})));
         probe.set_recorder(recorder);
         LoopSettings settings = simulated(clock_, duration, true, physics_rate);
         settings.rate = rate;

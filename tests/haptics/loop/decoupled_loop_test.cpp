@@ -129,8 +129,7 @@ TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheServoMissesDeadlines)
     const auto path = [](double seconds) -> Vector3 {
         return {0, 0, 0.03 - 0.035 * std::pow(std::sin(8 * std::max(0.0, seconds - 1)), 2)};
     };
-    RenderSettings rendering;
-    rendering.law = std::make_shared<SlowLaw>(clock_);
+    const RenderSettings rendering = with_law(std::make_shared<SlowLaw>(clock_));
     EXPECT_LE(lost_momentum(add_box(20), path, rendering, settings(4000, 1000, 3)), 1e-9);
     EXPECT_GT(report_.overruns, 100U);
 }
@@ -151,8 +150,7 @@ TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
 TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheGuardTakesTheForceFromALawThatHangs)
 {
     Once hang(clock_, 1.9, [&] { clock_.advance(0.1); });
-    RenderSettings rendering;
-    rendering.law = std::make_shared<TroubledLaw>(std::ref(hang));
+    const RenderSettings rendering = with_law(std::make_shared<TroubledLaw>(std::ref(hang)));
     EXPECT_LE(lost_momentum(add_box(100), &press_slowly, rendering, settings(4000, 1000, 3)), 1e-9);
     EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
 }

@@ -96,9 +96,7 @@ TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
 TEST_P(LoopFaultTest, ALawThatHangsEndsWithZeroForceAndANotice)
 {
     Once stall(clock_, pressed_after, [&] { clock_.advance(0.5); });
-    RenderSettings rendering;
-    rendering.law = std::make_shared<TroubledLaw>(std::ref(stall));
-    make(std::move(rendering));
+    make(with_law(std::make_shared<TroubledLaw>(std::ref(stall))));
     loop_->run(work());
     expect_zero_force_after(stall.at, stall.at + 0.501);
     EXPECT_EQ(notices_.count(NoticeKind::guard), 1);

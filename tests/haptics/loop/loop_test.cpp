@@ -123,15 +123,13 @@ TEST_P(HapticLoopTest, AnExceptionOfTheProgramComesOutAfterZeroForceAndANotice)
 TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
 {
     double thrown_at = 0;
-    RenderSettings rendering;
-    rendering.law = std::make_shared<TroubledLaw>([&] {
+    make(with_law(std::make_shared<TroubledLaw>([&] {
         if (clock_.now() >= pressed_after)
         {
             thrown_at = clock_.now();
             throw std::runtime_error("the law has a bug");
         }
-    });
-    make(std::move(rendering));
+    })));
     EXPECT_THROW(loop_->run(work()), std::runtime_error);
     expect_zero_force_after(thrown_at, clock_.now() + 1);
     EXPECT_NE(notices_.text(NoticeKind::exception).find("the law has a bug"), std::string::npos);
@@ -140,9 +138,7 @@ TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
 TEST_P(HapticLoopTest, ALawThatCannotBeResetDoesNotKeepTheForce)
 {
     const auto law = std::make_shared<TroubledLaw>([] {});
-    RenderSettings rendering;
-    rendering.law = law;
-    make(std::move(rendering));
+    make(with_law(law));
     loop_->run(work(Once(clock_, pressed_after, [&] {
         law->at_reset = [] { throw std::runtime_error("the law has a bug"); };
         loop_->stop();

@@ -67,14 +67,17 @@ inline std::shared_ptr<ForceLaw> make_law(bool by_proxy, const Material &materia
     return std::make_shared<PenaltyLaw>(material);
 }
 
-inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
+inline RenderSettings with_law(std::shared_ptr<ForceLaw> law, NoticeSink sink = {})
 {
-    Material properties;
-    properties.stiffness = stiffness;
     RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
+    settings.law = std::move(law);
     settings.notice = std::move(sink);
     return settings;
+}
+
+inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
+{
+    return with_law(std::make_shared<PenaltyLaw>(Material{stiffness}), std::move(sink));
 }
 
 class ProbeWorld
