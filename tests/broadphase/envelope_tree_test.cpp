@@ -135,23 +135,6 @@ INSTANTIATE_TEST_SUITE_P(EnvelopeTree, AnyTree,
                                          Shape{"points", 1, 0, 200}, Shape{"all_in_one_point", 0, 0, 200}),
                          [](const auto &info) { return info.param.name; });
 
-TEST(EnvelopeTree, HoldsAnyNumberOfIdenticalBoxes)
-{
-    CheckedTree checked;
-    const FloatBox box = {{1, 2, 3}, {4, 5, 6}};
-    for (ProxyId proxy = 0; proxy < 3000; ++proxy)
-        checked.insert(proxy, box);
-    checked.expect_consistent();
-    checked.expect_found(box);
-    checked.rebuild();
-    checked.expect_consistent();
-    checked.expect_found(box);
-    for (ProxyId proxy = 0; proxy < 3000; proxy += 2)
-        checked.remove(proxy);
-    checked.expect_consistent();
-    checked.expect_found(box);
-}
-
 TEST(EnvelopeTree, TellsWhenItHasBecomeMuchWorseByRefitting)
 {
     Random random(2);

@@ -1,6 +1,6 @@
 #include "tests/docs/example_device.h"
+#include "tests/support/error_of.h"
 
-#include <functional>
 #include <gtest/gtest.h>
 #include <ode_predictive_space/haptics/renderer.h>
 #include <string>
@@ -64,18 +64,9 @@ private:
     sockaddr_in client_{};
 };
 
-DeviceFault fault_of(const std::function<void()> &call)
+template <typename Call> DeviceFault fault_of(Call call)
 {
-    try
-    {
-        call();
-    }
-    catch (const DeviceError &error)
-    {
-        return error.fault();
-    }
-    ADD_FAILURE() << "no DeviceError";
-    return DeviceFault::failed;
+    return ode_predictive_space::error_of<DeviceError>(call).fault();
 }
 
 haptics::Wrench force_of(double x, double y, double z)

@@ -60,14 +60,6 @@ TEST(Preload, MeasuresBySpheresWhenAskedTo)
     EXPECT_TRUE(contains(outcome.output, "\nlevels -3 10, then -1 5\n")) << outcome.output;
 }
 
-TEST(Preload, CountsCollides)
-{
-    const std::string said = statistics_of("", LINKED);
-    EXPECT_EQ(count_of("24 geoms", said), 4) << said;
-    EXPECT_EQ(count_of("dSpaceCollide 30 calls", said), 4) << said;
-    EXPECT_EQ(count_of("\n    ticks 30, ", said), 3) << said;
-}
-
 TEST(Preload, IsInheritedByChildProcesses)
 {
     const ScratchFile statistics;

@@ -45,20 +45,6 @@ TEST(Version, IsThatOfTheHeader)
     EXPECT_EQ(dPredictiveSpaceGetVersion(), ODE_PREDICTIVE_SPACE_VERSION);
 }
 
-TEST_F(PredictiveSpace, SpheresWhoseBoxesOnlyOverlapAreNoPairByTheMeasureOfSpheres)
-{
-    scene.sphere(1, 0, 0, 0);
-    dGeomID second = scene.sphere(1, 1.5, 1.5, 0);
-    EXPECT_EQ(collide(space).size(), 1u);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
-    EXPECT_TRUE(collide(space).empty());
-    dGeomSetPosition(second, 1.4, 1.4, 0);
-    EXPECT_EQ(collide(space).size(), 1u);
-    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
-    dGeomSetPosition(second, 1.5, 1.5, 0);
-    EXPECT_EQ(collide(space).size(), 1u);
-}
-
 TEST_F(PredictiveSpace, RolesAreKeptAsSet)
 {
     dGeomID geom = scene.sphere(1, 0, 0, 0);

@@ -20,9 +20,7 @@ TEST(CarriedProxy, StaysOnAThinSheetThatMovesByMoreThanTheProbesSizeInATick)
     dGeomSetBody(mesh.add_to(world.space), body);
     dWorldSetGravity(world.world, 0, 0, 0);
     ScriptedDevice device([](double) { return Vector3(0.01, 0.02, 0); });
-    RenderSettings rendering;
-    rendering.law = std::make_shared<ProxyLaw>(Material{10});
-    HapticProbe probe(device, world.space, size, rendering);
+    HapticProbe probe(device, world.space, size, with_law(std::make_shared<ProxyLaw>(Material{10})));
     probe.sensor()->prepare_all();
     int carried = 0;
     for (int tick = 0; tick < 80; ++tick)

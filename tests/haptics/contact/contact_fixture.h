@@ -9,6 +9,7 @@
 #include "tests/haptics/support/allocation_count.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/mesh_maker.h"
+#include "tests/haptics/support/once.h"
 #include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/scripted_device.h"
 
@@ -40,19 +41,15 @@ protected:
 
     /// @param advanced called after each step of the scene, with the length of the step; may be empty.
     std::vector<Sample> run(const ScriptedDevice::Path &path, double duration,
-                            std::function<void(double)> advanced = {})
+                            const std::function<void(double)> &advanced = {})
     {
         Material properties;
         properties.stiffness = k;
         properties.friction = friction_;
         const auto penalty = std::make_shared<PenaltyLaw>(properties);
         const auto proxy = std::make_shared<ProxyLaw>(properties);
-        RenderSettings rendering;
-        rendering.law = penalty;
-        if (proxy_law())
-            rendering.law = proxy;
         ScriptedDevice device(path);
-        HapticProbe probe(device, world_.space, radius, rendering);
+        HapticProbe probe(device, world_.space, radius, proxy_law() ? with_law(proxy) : with_law(penalty));
         probe_ = &probe;
         if (prepare_)
             prepare_(probe);
@@ -70,14 +67,27 @@ protected:
         LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate_);
         settings.rate = decoupled() ? 4000 : 1000;
         HapticLoop loop(probe, settings);
-        loop.run({[&] { world_.collide(probe); },
-                  [&](double dt) {
-                      world_.step(dt);
-                      if (advanced)
-                          advanced(dt);
-                  }});
+        loop.run(world_.work(probe, advanced));
         probe_ = nullptr;
         return samples;
+    }
+
+    static void expect_force_at_end(const std::vector<Sample> &samples, const Vector3 &force, double tolerance)
+    {
+        const Vector3 &last = samples.back().requested;
+        EXPECT_LE((last - force).norm(), tolerance) << last.transpose() << " and not " << force.transpose();
+    }
+
+    static void expect_no_force(const std::vector<Sample> &samples, double from, double to)
+    {
+        for (const Sample &sample : samples)
+        {
+            if (sample.time >= from && sample.time < to)
+            {
+                ASSERT_TRUE(sample.requested.isZero(0))
+                    << sample.time << " at " << sample.tool.transpose() << ": " << sample.requested.transpose();
+            }
+        }
     }
 
     const OdeUse ode_;
@@ -90,6 +100,9 @@ protected:
     double silent_until_ = 0;                    ///< s; to here
     HapticProbe *probe_ = nullptr;               ///< null between runs
 };
+
+/// Both laws in both kinds of loops.
+const auto contact_tests = testing::Combine(testing::Bool(), testing::Bool());
 
 inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<bool, bool>> &parameters)
 {

@@ -29,15 +29,14 @@ TEST(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
     for (const bool proxy_law : {false, true})
     {
         ProbeWorld world;
-        RenderSettings rendering;
-        rendering.law = make_law(proxy_law, Material{k});
         const dBodyID plate = world.add_body({0, 0, -0.05}, 1);
         dBodySetKinematic(plate);
         dGeomSetBody(world.add_box({1, 1, 0.1}, {0, 0, 0}), plate);
         dBodySetLinearVel(plate, 0, 0, 0.01);
         const auto height = [](double t) { return t < 0.3 ? 0.02 : 0.02 - 0.1 * (t - 0.3); };
         ScriptedDevice device([&](double t) { return Vector3(0.05, 0, height(t)); });
-        HapticProbe probe(device, dCreateBox(world.space, 0.02, 0.02, 0.02), rendering);
+        HapticProbe probe(device, dCreateBox(world.space, 0.02, 0.02, 0.02),
+                          with_law(make_law(proxy_law, Material{k})));
         int compared = 0;
         probe.set_recorder([&](const RenderedTick &tick) {
             const double depth = 0.01 * tick.time - (height(tick.time) - 0.01);
@@ -49,7 +48,7 @@ TEST(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)
         });
         SimulatedClock clock;
         HapticLoop loop(probe, simulated(clock, 0.5, true, 100));
-        loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+        loop.run(world.work(probe));
         EXPECT_GT(compared, 40);
     }
 }

@@ -47,13 +47,6 @@ protected:
     }
 };
 
-TEST_P(HeldContactTest, ASheetHoldsToFiveRadii)
-{
-    const OdeMesh mesh(sheet_mesh(0.4, 8));
-    mesh.add_to(world_.space);
-    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
-}
-
 TEST_P(HeldContactTest, ASphereMeshHoldsToFiveRadii)
 {
     const OdeMesh mesh(sphere_mesh(0.3, 96));
@@ -67,12 +60,6 @@ TEST_P(HeldContactTest, AThinBoxHoldsToFiveRadii)
     expect_spring_to_five_radii(0.013, 0.021, 1e-6);
 }
 
-TEST_P(HeldContactTest, AThinLyingCylinderHoldsToFiveRadii)
-{
-    dGeomSetPosition(dCreateCylinder(world_.space, 0.2, 0.001), 0, 0, -0.0005);
-    expect_spring_to_five_radii(0.013, 0.021, 1e-6);
-}
-
 TEST_P(HeldContactTest, ASphereHoldsToFiveRadii)
 {
     dGeomSetPosition(dCreateSphere(world_.space, 0.03), 0, 0, -0.03); // its centre is at 3 radii
@@ -82,18 +69,6 @@ TEST_P(HeldContactTest, ASphereHoldsToFiveRadii)
         },
         1);
     EXPECT_NEAR(samples.back().requested.z(), k * 3.9 * radius, 1e-6 * k);
-}
-
-TEST_P(HeldContactTest, ACapsuleHolds)
-{
-    const dGeomID capsule = dCreateCapsule(world_.space, 0.002, 0.3);
-    dMatrix3 lying;
-    dRFromAxisAndAngle(lying, 1, 0, 0, std::acos(0.0));
-    dGeomSetRotation(capsule, lying);
-    dGeomSetPosition(capsule, 0, 0, -0.002);
-    const auto samples = run([](double t) { return between({0, 0, 0.03}, {0, 0, -0.001}, 0.1, 0.8, t); }, 1);
-    EXPECT_LE((samples.back().requested - Vector3(0, 0, k * 1.1 * radius)).norm(), 1e-6 * k)
-        << samples.back().requested.transpose();
 }
 
 TEST_P(HeldContactTest, ARoofOfThirtyDegreesIsCrossedWithoutAJump)
@@ -258,8 +233,7 @@ TEST_P(HeldContactTest, AHoleThatIsTooSmallCarriesTheProbeByItsRim)
         [&](double t) { return between(middle + Vector3(0, 0, 0.03), middle - Vector3(0, 0, 0.02), 0.1, 0.8, t); }, 1);
     if (proxy_law())
     {
-        EXPECT_LE((samples.back().requested - Vector3(0, 0, k * (resting + 0.02))).norm(), 0.01 * k * (resting + 0.02))
-            << samples.back().requested.transpose();
+        expect_force_at_end(samples, Vector3(0, 0, k * (resting + 0.02)), 0.01 * k * (resting + 0.02));
     }
     EXPECT_GT(samples.back().requested.z(), 0.9 * k * (resting + 0.02)) << "it never falls through";
 }
@@ -293,6 +267,6 @@ TEST_P(HeldContactTest, DeepBelowWavesNothingIsLost)
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+INSTANTIATE_TEST_SUITE_P(Laws, HeldContactTest, contact_tests, contact_test_name);
 } // namespace
 } // namespace ode_predictive_space::haptics

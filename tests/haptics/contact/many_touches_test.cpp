@@ -70,7 +70,6 @@ TEST_P(ManyTouchesTest, MoreThanTheCapacityIsToldAndAllocatesNothing)
         EXPECT_TRUE(!decoupled() || sample.time < 0.1 || sample.allocations == 0) << sample.time;
 }
 
-INSTANTIATE_TEST_SUITE_P(Contact, ManyTouchesTest, testing::Combine(testing::Bool(), testing::Bool()),
-                         contact_test_name);
+INSTANTIATE_TEST_SUITE_P(Contact, ManyTouchesTest, contact_tests, contact_test_name);
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -118,9 +118,7 @@ protected:
     void expect_truth(std::shared_ptr<ForceLaw> law, double depth)
     {
         ScriptedDevice device(press(depth));
-        RenderSettings rendering;
-        rendering.law = std::move(law);
-        HapticProbe probe(device, world_.space, probe_in_notch, rendering);
+        HapticProbe probe(device, world_.space, probe_in_notch, with_law(std::move(law)));
         Vector3 last = Vector3::Zero(), tool = Vector3::Zero();
         const Vector3 proxy = Vector3(0, 0, resting());
         probe.set_recorder([&](const RenderedTick &tick) {

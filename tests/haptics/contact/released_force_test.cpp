@@ -25,9 +25,7 @@ protected:
     Errors errors_along(const ScriptedDevice::Path &path, int ticks)
     {
         ScriptedDevice device(path);
-        RenderSettings rendering;
-        rendering.law = std::make_shared<ProxyLaw>(Material{k});
-        HapticProbe probe(device, world_.space, GetParam(), rendering);
+        HapticProbe probe(device, world_.space, GetParam(), with_law(std::make_shared<ProxyLaw>(Material{k})));
         probe.sensor()->prepare_all();
         Errors errors;
         Vector3 tool = Vector3::Zero();

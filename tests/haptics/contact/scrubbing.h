@@ -1,17 +1,15 @@
-// A hand that scrubs in straight lines over, off and sometimes through a ball as rough as a scan, and the cost of its ticks.
+// A hand that scrubs in straight lines over, off and sometimes through a ball as rough as a scan: its ticks keep their budget.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
-#include "ode_predictive_space/haptics/probe.h"
-#include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/contact/rough_mesh.h"
+#include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/scripted_device.h"
 
 #include <algorithm>
-#include <ctime>
-#include <vector>
+#include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
 {
@@ -48,44 +46,29 @@ private:
     Vector3 to_ = Vector3(0, 0, 0.05);
 };
 
-struct ScrubbingResult
+/// Runs ticks of 1 ms with the proxy law and probes of three sizes. The mesh is prepared first.
+inline void expect_budget_kept(int rings, int ticks)
 {
-    std::size_t most_triangles = 0; ///< visited in a tick
-    int pressed = 0;                ///< ticks with a force above 0.5 N
-    std::vector<double> seconds;    ///< of processor time: begin(), collide and render() of each tick, sorted
-};
-
-/// s; used by the calling thread.
-inline double processor_time()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// Runs ticks of 1 ms with the proxy law. All meshes in the space are prepared first. @param size m; the probe's radius.
-inline ScrubbingResult scrub(dSpaceID space, double size, int ticks)
-{
-    ScriptedDevice device{Scrub(size)};
-    RenderSettings rendering;
-    rendering.law = std::make_shared<ProxyLaw>(Material{500});
-    HapticProbe probe(device, space, size, rendering);
-    probe.sensor()->prepare_all();
-    ScrubbingResult result;
-    for (int tick = 0; tick < ticks; ++tick)
+    const OdeUse ode;
+    const OdeMesh mesh(scanned_ball(rings));
+    for (const double size : {0.001, 0.003, 0.01})
     {
-        const double begin = processor_time();
-        probe.begin(0.001 * tick);
-        dSpaceCollide(space, &probe, [](void *data, dGeomID first, dGeomID second) {
-            static_cast<HapticProbe *>(data)->touch(first, second);
-        });
-        probe.render(0.001);
-        result.seconds.push_back(processor_time() - begin);
-        result.most_triangles = std::max(result.most_triangles, probe.sensor()->tracker()->visited());
-        result.pressed += probe.last_tick().requested.norm() > 0.5 ? 1 : 0;
+        ProbeWorld world;
+        mesh.add_to(world.space);
+        ScriptedDevice device{Scrub(size)};
+        HapticProbe probe(device, world.space, size, with_law(std::make_shared<ProxyLaw>(Material{500})));
+        probe.sensor()->prepare_all();
+        std::size_t most = 0; // triangles that are visited in a tick
+        int pressed = 0;
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            world.run(probe, 1);
+            most = std::max(most, probe.sensor()->tracker()->visited());
+            pressed += probe.last_tick().requested.norm() > 0.5 ? 1 : 0;
+        }
+        EXPECT_LE(most, SphereSlide::most_triangles) << rings << " rings, " << size << " m";
+        EXPECT_GT(pressed, ticks / 8) << rings << " rings, " << size << " m";
     }
-    std::sort(result.seconds.begin(), result.seconds.end());
-    return result;
 }
 } // namespace ode_predictive_space::haptics
 

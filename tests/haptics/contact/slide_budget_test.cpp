@@ -17,32 +17,14 @@ protected:
     ProbeWorld world_;
 };
 
-class ScrubbingTest : public testing::Test
-{
-protected:
-    const OdeUse ode_;
-    ProbeWorld world_;
-};
-
 INSTANTIATE_TEST_SUITE_P(Radii, SlideBudgetTest, testing::Values(0.001, 0.003, 0.01),
                          [](const auto &info) { return "Radius" + std::to_string(std::lround(1000 * info.param)); });
 
 /// The meshes are as dense as scans. Sanitizers do not reduce the ticks, so that the hand has time to arrive.
-TEST_F(ScrubbingTest, KeepsTheBudgetInEachTick)
+TEST(ScrubbingTest, KeepsTheBudgetInEachTick)
 {
-    constexpr int ticks = 1500;
     for (const int rings : {112, 250})
-    {
-        const OdeMesh mesh(scanned_ball(rings));
-        mesh.add_to(world_.space);
-        for (const double size : {0.001, 0.003, 0.01})
-        {
-            const ScrubbingResult result = scrub(world_.space, size, ticks);
-            EXPECT_LE(result.most_triangles, SphereSlide::most_triangles) << rings << " rings, " << size << " m";
-            EXPECT_GT(result.pressed, ticks / 8) << rings << " rings, " << size << " m";
-        }
-        dGeomDestroy(dSpaceGetGeom(world_.space, 0));
-    }
+        expect_budget_kept(rings, 1500);
 }
 
 /// Some 25,000 triangles are as near to the probe as its place of contact: more than a tick may visit.
@@ -56,9 +38,7 @@ TEST_P(SlideBudgetTest, LetsTheProxyArriveOnADenseMesh)
     ScriptedDevice device([=](double seconds) {
         return seconds < 1 ? between(above, in, 0.1, 0.4, seconds) : between(in, along, 1, 0.4, seconds);
     });
-    RenderSettings rendering;
-    rendering.law = std::make_shared<ProxyLaw>(Material{k});
-    HapticProbe probe(device, world_.space, size, rendering);
+    HapticProbe probe(device, world_.space, size, with_law(std::make_shared<ProxyLaw>(Material{k})));
     probe.sensor()->prepare_all();
     std::size_t most = 0;
     probe.set_recorder([&](const RenderedTick &) { most = std::max(most, probe.sensor()->tracker()->visited()); });

@@ -1,24 +1,19 @@
 #include "ode_predictive_space/haptics/device/hd_library.h"
 
+#include "tests/support/error_of.h"
+
 #include <gtest/gtest.h>
 #include <set>
 
 using namespace ode_predictive_space::haptics;
+using ode_predictive_space::error_of;
 using testing::IsSubstring;
 
 namespace
 {
-DeviceError error_of(const std::vector<std::string> &files)
+DeviceError error_of_loading(const std::vector<std::string> &files)
 {
-    try
-    {
-        const HdLibrary library(files);
-    }
-    catch (const DeviceError &error)
-    {
-        return error;
-    }
-    throw std::runtime_error("a library was loaded");
+    return error_of<DeviceError>([&] { const HdLibrary library(files); });
 }
 
 const std::vector<std::uint32_t> all_codes{0,     0x100, 0x101, 0x102, 0x103, 0x104, 0x200, 0x201, 0x202, 0x203,
@@ -27,7 +22,7 @@ const std::vector<std::uint32_t> all_codes{0,     0x100, 0x101, 0x102, 0x103, 0x
 
 TEST(HdLibrary, NamesEachFileThatIsNotThere)
 {
-    const DeviceError error = error_of({"libabsent_hd.so", "libabsent_hd.so.3.0"});
+    const DeviceError error = error_of_loading({"libabsent_hd.so", "libabsent_hd.so.3.0"});
     EXPECT_EQ(error.fault(), DeviceFault::missing_library);
     EXPECT_PRED_FORMAT2(IsSubstring, "libabsent_hd.so: cannot open shared object file", error.what());
     EXPECT_PRED_FORMAT2(IsSubstring, "libabsent_hd.so.3.0: cannot open shared object file", error.what());
@@ -41,14 +36,14 @@ TEST(HdLibrary, TakesTheFirstFileThatIsThere)
 
 TEST(HdLibrary, NamesALibraryThatIsMissingBehindIt)
 {
-    const DeviceError error = error_of({FAKE_HD_WITHOUT_DRIVER});
+    const DeviceError error = error_of_loading({FAKE_HD_WITHOUT_DRIVER});
     EXPECT_EQ(error.fault(), DeviceFault::missing_library);
     EXPECT_PRED_FORMAT2(IsSubstring, "libfake_hd_absent_driver.so: cannot open shared object file", error.what());
 }
 
 TEST(HdLibrary, NamesTheFunctionThatAnotherVersionLacksAndItsFile)
 {
-    const DeviceError error = error_of({FAKE_HD_OF_ANOTHER_VERSION});
+    const DeviceError error = error_of_loading({FAKE_HD_OF_ANOTHER_VERSION});
     EXPECT_EQ(error.fault(), DeviceFault::missing_symbol);
     EXPECT_PRED_FORMAT2(IsSubstring, "hdUnschedule", error.what());
     EXPECT_PRED_FORMAT2(IsSubstring, FAKE_HD_OF_ANOTHER_VERSION, error.what());

@@ -1,10 +1,12 @@
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include "tests/haptics/stand_ins/fake_hd_control.h"
+#include "tests/support/error_of.h"
 
 #include <gtest/gtest.h>
 
 using namespace ode_predictive_space::haptics;
+using ode_predictive_space::error_of;
 using testing::IsSubstring;
 
 namespace
@@ -17,20 +19,12 @@ bool ends_with(const std::string &text, const std::string &end)
 class OpenHaptics : public testing::Test
 {
 protected:
-    static DeviceError error_of(const OpenHapticsSettings &settings)
+    static DeviceError error_of_opening(const OpenHapticsSettings &settings)
     {
         OpenHapticsDevice device(settings);
-        try
-        {
-            device.open();
-        }
-        catch (const DeviceError &error)
-        {
-            const DeviceStatus status = device.status();
-            EXPECT_FALSE(status.open || status.ready) << "after an open() that failed";
-            return error;
-        }
-        throw std::runtime_error("the device was opened");
+        const DeviceError error = error_of<DeviceError>([&] { device.open(); });
+        EXPECT_FALSE(device.status().open || device.status().ready) << "after an open() that failed";
+        return error;
     }
 
     FakeHdControl fake;
@@ -114,7 +108,7 @@ TEST_F(OpenHaptics, OpensTheDeviceOfTheConfiguration)
 
 TEST_F(OpenHaptics, SaysWhichDeviceIsNotThere)
 {
-    const DeviceError error = error_of({FAKE_HD, "Right Arm"});
+    const DeviceError error = error_of_opening({FAKE_HD, "Right Arm"});
     EXPECT_EQ(error.fault(), DeviceFault::not_found);
     EXPECT_PRED_FORMAT2(IsSubstring, "Right Arm", error.what());
     EXPECT_PRED_FORMAT2(IsSubstring, "HD_BAD_HANDLE (0x104, internal code -1)", error.what());
@@ -122,14 +116,14 @@ TEST_F(OpenHaptics, SaysWhichDeviceIsNotThere)
 
 TEST_F(OpenHaptics, DoesNotWorkWithoutItsLibrary)
 {
-    EXPECT_EQ(error_of({"libabsent_hd.so", ""}).fault(), DeviceFault::missing_library);
-    EXPECT_EQ(error_of({FAKE_HD_OF_ANOTHER_VERSION, ""}).fault(), DeviceFault::missing_symbol);
+    EXPECT_EQ(error_of_opening({"libabsent_hd.so", ""}).fault(), DeviceFault::missing_library);
+    EXPECT_EQ(error_of_opening({FAKE_HD_OF_ANOTHER_VERSION, ""}).fault(), DeviceFault::missing_symbol);
 }
 
 TEST_F(OpenHaptics, RefusesADeviceThatHasToBeCalibratedByHand)
 {
     fake.set_calibration(0x5002, 0x5002);
-    const DeviceError error = error_of({FAKE_HD, ""});
+    const DeviceError error = error_of_opening({FAKE_HD, ""});
     EXPECT_EQ(error.fault(), DeviceFault::not_calibrated);
     EXPECT_PRED_FORMAT2(IsSubstring, "inkwell", error.what());
     EXPECT_PRED_FORMAT2(IsSubstring, "hdStopScheduler hdUnschedule hdDisable hdDisableDevice", fake.calls());
@@ -164,7 +158,7 @@ TEST_F(OpenHaptics, UndoesWhatWasDoneWhereAStepOfOpeningFails)
     {
         FakeHdControl anew;
         anew.fail(step.function, step.code, 42, 1);
-        const DeviceError error = error_of({FAKE_HD, ""});
+        const DeviceError error = error_of_opening({FAKE_HD, ""});
         EXPECT_EQ(error.fault(), step.fault) << step.function;
         EXPECT_PRED_FORMAT2(IsSubstring, "internal code 42", error.what()) << step.function;
         EXPECT_TRUE(ends_with(anew.calls(), step.undone)) << anew.calls();
@@ -176,7 +170,7 @@ TEST_F(OpenHaptics, UndoesWhatWasDoneWhereAStepOfOpeningFails)
 TEST_F(OpenHaptics, GivesUpWhereTheServoThreadDoesNotRun)
 {
     fake.pause();
-    const DeviceError error = error_of({FAKE_HD, ""});
+    const DeviceError error = error_of_opening({FAKE_HD, ""});
     EXPECT_EQ(error.fault(), DeviceFault::failed);
     EXPECT_TRUE(ends_with(fake.calls(), "hdStopScheduler hdUnschedule hdDisable hdDisableDevice ")) << fake.calls();
 }
@@ -184,7 +178,7 @@ TEST_F(OpenHaptics, GivesUpWhereTheServoThreadDoesNotRun)
 TEST_F(OpenHaptics, IsTheOnlyOneOfItsProgram)
 {
     device.open();
-    const DeviceError error = error_of({FAKE_HD, ""});
+    const DeviceError error = error_of_opening({FAKE_HD, ""});
     EXPECT_EQ(error.fault(), DeviceFault::permission_denied);
     EXPECT_PRED_FORMAT2(IsSubstring, "another device is open", error.what());
     EXPECT_NO_THROW(device.read(0)) << "the first one goes on";
@@ -197,15 +191,7 @@ TEST_F(OpenHaptics, IsTheOnlyOneOfItsProgram)
 TEST_F(OpenHaptics, WantsToBeOpen)
 {
     EXPECT_FALSE(device.status().open);
-    try
-    {
-        device.write({});
-        FAIL();
-    }
-    catch (const DeviceError &error)
-    {
-        EXPECT_EQ(error.fault(), DeviceFault::not_open);
-    }
+    EXPECT_EQ(error_of<DeviceError>([&] { device.write({}); }).fault(), DeviceFault::not_open);
     EXPECT_THROW(device.read(0), DeviceError);
     device.close();
 

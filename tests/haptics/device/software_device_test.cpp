@@ -1,7 +1,8 @@
 #include "ode_predictive_space/haptics/device.h"
 
+#include "tests/support/error_of.h"
+
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
@@ -40,19 +41,11 @@ private:
     }
 };
 
-DeviceFault fault_of(const std::function<void()> &call)
+template <typename Call> DeviceFault fault_of(Call call)
 {
-    try
-    {
-        call();
-    }
-    catch (const DeviceError &error)
-    {
-        EXPECT_NE(std::string(error.what()).find("clock"), std::string::npos) << "it names the device";
-        return error.fault();
-    }
-    ADD_FAILURE() << "it has not thrown";
-    return DeviceFault::failed;
+    const DeviceError error = error_of<DeviceError>(call);
+    EXPECT_NE(std::string(error.what()).find("clock"), std::string::npos) << "it names the device";
+    return error.fault();
 }
 
 TEST(SoftwareDevice, CannotBeUsedUnlessOpen)

@@ -1,11 +1,13 @@
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include "tests/haptics/stand_ins/fake_spacenavd.h"
+#include "tests/support/error_of.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
 using namespace ode_predictive_space::haptics;
+using ode_predictive_space::error_of;
 
 namespace
 {
@@ -169,16 +171,9 @@ TEST_F(Spacenav, IsLostWhenTheServerEnds)
     server.stop();
     for (int i = 0; i < 2; ++i)
     {
-        try
-        {
-            device.read(0.001);
-            FAIL();
-        }
-        catch (const DeviceError &error)
-        {
-            EXPECT_EQ(error.fault(), DeviceFault::lost);
-            EXPECT_PRED_FORMAT2(testing::IsSubstring, "spacenavd has ended", error.what());
-        }
+        const DeviceError error = error_of<DeviceError>([&] { device.read(0.001); });
+        EXPECT_EQ(error.fault(), DeviceFault::lost);
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, "spacenavd has ended", error.what());
     }
     EXPECT_THROW(device.write({}), DeviceError);
     EXPECT_TRUE(device.status().open);

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/device/spnav_connection.h"
 
 #include "tests/haptics/stand_ins/fake_spacenavd.h"
+#include "tests/support/error_of.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -10,21 +11,14 @@
 #include <unistd.h>
 
 using namespace ode_predictive_space::haptics;
+using ode_predictive_space::error_of;
 using testing::IsSubstring;
 
 namespace
 {
 DeviceError error_of_connecting()
 {
-    try
-    {
-        SpnavConnection();
-    }
-    catch (const DeviceError &error)
-    {
-        return error;
-    }
-    throw std::runtime_error("connected");
+    return error_of<DeviceError>([] { SpnavConnection(); });
 }
 } // namespace
 
@@ -57,16 +51,11 @@ TEST(SpnavConnection, SurvivesAServerThatHangsUp)
     for (const SpacenavdManner manner : {SpacenavdManner::hangs_up, SpacenavdManner::hangs_up_after_greeting})
     {
         const FakeSpacenavd server(manner);
-        try
-        {
+        const DeviceError error = error_of<DeviceError>([] {
             SpnavInput input;
             SpnavConnection().receive(input);
-            FAIL();
-        }
-        catch (const DeviceError &error)
-        {
-            EXPECT_EQ(error.fault(), DeviceFault::lost) << error.what();
-        }
+        });
+        EXPECT_EQ(error.fault(), DeviceFault::lost) << error.what();
     }
 }
 

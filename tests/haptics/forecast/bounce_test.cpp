@@ -47,12 +47,10 @@ void rest_hand_in(CouplingScene &scene, bool by_proxy, double physics_rate, doub
 {
     SimulatedClock clock;
     ScriptedDevice device([](double) -> Vector3 { return {0, 0, 0}; });
-    RenderSettings rendering;
-    rendering.law = make_law(by_proxy, Material{stiffness});
-    HapticProbe probe(device, scene.space, probe_radius, rendering);
+    HapticProbe probe(device, scene.space, probe_radius, with_law(make_law(by_proxy, Material{stiffness})));
     const bool decoupled = physics_rate > 0;
     HapticLoop loop(probe, simulated(clock, seconds, decoupled, decoupled ? physics_rate : 1000));
-    loop.run({[&] { scene.collide(probe); }, [&](double step) { scene.step(step); }});
+    loop.run(scene.work(probe));
 }
 
 /// @param phase m; added to the distance of the balls. @return the part of their energy that the balls keep.

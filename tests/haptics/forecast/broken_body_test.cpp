@@ -3,6 +3,7 @@
 #include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "tests/haptics/loop/loop_fixture.h"
 #include "tests/haptics/support/constants.h"
+#include "tests/support/error_of.h"
 
 #include <cstdio>
 #include <gtest/gtest.h>
@@ -156,8 +157,7 @@ TEST(SceneBodies, LeaveAWorldAsItWas)
 
 using LoopBodyTest = HapticLoopTest;
 
-INSTANTIATE_TEST_SUITE_P(Kinds, LoopBodyTest, testing::Bool(),
-                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopBodyTest, testing::Bool(), name_of_loop);
 
 enum class In
 {
@@ -183,22 +183,17 @@ public:
     {
         HapticProbe probe(log_, world_.space, radius, usual_rendering());
         HapticLoop loop(probe, settings_);
-        try
-        {
-            loop.run({[&] {
-                          world_.collide(probe);
-                          spoil(In::collide);
-                      },
-                      [&](double dt) {
-                          steps_after_ += broken_at_ > 0 ? 1 : 0;
-                          world_.step(dt);
-                          spoil(In::advance);
-                      }});
-        }
-        catch (const std::runtime_error &error)
-        {
-            thrown_ = error.what();
-        }
+        thrown_ = error_of<std::runtime_error>([&] {
+                      loop.run({[&] {
+                                    world_.collide(probe);
+                                    spoil(In::collide);
+                                },
+                                [&](double dt) {
+                                    steps_after_ += broken_at_ > 0 ? 1 : 0;
+                                    world_.step(dt);
+                                    spoil(In::advance);
+                                }});
+                  }).what();
         force_at_end_ = log_.force_at(clock_.now()); // the probe still has the device
     }
 
@@ -265,18 +260,9 @@ TEST_P(LoopBodyTest, ThatIsTouchedEndsTheLoopToo)
 {
     make();
     const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
-    try
-    {
-        loop_->run(work([&](double time) {
-            if (time >= pressed_after)
-                dBodySetAngularVel(body, nan, 0, 0);
-        }));
-        ADD_FAILURE() << "the body was stepped";
-    }
-    catch (const std::runtime_error &error)
-    {
-        EXPECT_NE(std::string(error.what()).find(address(body)), std::string::npos);
-    }
+    const auto error = error_of<std::runtime_error>(
+        [&] { loop_->run(work(Once(clock_, pressed_after, [&] { dBodySetAngularVel(body, nan, 0, 0); }))); });
+    EXPECT_NE(std::string(error.what()).find(address(body)), std::string::npos);
     EXPECT_TRUE(log_.force_at(clock_.now()).isZero(0));
 }
 
@@ -291,12 +277,8 @@ TEST(LoopBody, OfTheToolEndsTheLoopWithOrWithoutAGeom)
         const dBodyID tool =
             has_geom ? world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, 0}, 1) : world.add_body({0, 0, 0}, 1);
         HapticProbe probe(device, tool, {});
-        EXPECT_THROW(HapticLoop(probe, simulated(clock, 1))
-                         .run({[&] { world.collide(probe); },
-                               [&](double dt) {
-                                   world.step(dt);
-                                   dBodySetAngularVel(tool, nan, 0, 0);
-                               }}),
+        HapticLoop loop(probe, simulated(clock, 1));
+        EXPECT_THROW(loop.run(world.work(probe, [&](double) { dBodySetAngularVel(tool, nan, 0, 0); })),
                      std::runtime_error);
         EXPECT_TRUE(device.last_wrench().force.isZero(0));
     }

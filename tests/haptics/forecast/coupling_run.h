@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace ode_predictive_space::haptics
@@ -85,9 +86,7 @@ public:
         energy_before_ = scene_.energy();
         ScriptedDevice device([this](double seconds) { return hand_.at(seconds); });
         WriteLog log(device, clock_);
-        RenderSettings rendering;
-        rendering.law = scenario_.law();
-        HapticProbe probe(log, scene_.space, radius, rendering);
+        HapticProbe probe(log, scene_.space, radius, with_law(scenario_.law()));
         probe.set_recorder([this](const RenderedTick &tick) { note(tick); });
         LoopSettings settings = simulated(clock_, HandWay::rests + hand_.duration, decoupled_, physics_rate);
         settings.notice = [this](const Notice &notice) {
@@ -108,31 +107,18 @@ public:
         pushed_ += scene_.force_of_hand() / (decoupled_ ? physics_rate : 1000.0);
         if (outcome_.impulse > 0)
         {
-            const Vector3 given = given_by(log);
+            const Vector3 given = log.impulse();
             outcome_.unmatched = decoupled_ ? (pushed_ + given).norm() / given.norm() : 0;
         }
     }
 
     const Outcome &outcome() const { return outcome_; }
-    const CouplingScene &scene() const { return scene_; }
 
 private:
     static int felt_in(const std::vector<Touch> &touches)
     {
         return static_cast<int>(
             std::count_if(touches.begin(), touches.end(), [](const Touch &touch) { return touch.depth > 0; }));
-    }
-
-    /// N s; on the hand.
-    Vector3 given_by(const WriteLog &log) const
-    {
-        Vector3 sum = Vector3::Zero();
-        for (std::size_t i = 0; i < log.writes().size(); ++i)
-        {
-            const double until = i + 1 < log.writes().size() ? log.writes()[i + 1].time : clock_.now();
-            sum += (until - log.writes()[i].time) * log.writes()[i].wrench.force;
-        }
-        return sum;
     }
 
     void note(const RenderedTick &tick)
@@ -208,6 +194,21 @@ inline Outcome ensemble(const CouplingCase &scenario, Stepper stepper, double ph
         outcomes.push_back(CoupledRun(scenario, offset_of(scenario, hand), stepper, physics_rate, late).outcome());
     return mean_of(outcomes);
 }
+
+/// @param rates Hz; of the scene in two threads.
+inline void expect_as_one_at(const std::vector<double> &rates, const CouplingCase &scenario, Stepper stepper)
+{
+    const Outcome truth = ensemble(scenario, stepper, one_thread);
+    ASSERT_GT(truth.peak_force, 0.1);
+    ASSERT_TRUE(!scenario.change || truth.force_at_change > 0.1);
+    for (const double rate : rates)
+    {
+        SCOPED_TRACE(std::to_string(rate) + " Hz");
+        expect_as_one(ensemble(scenario, stepper, rate), truth, scenario, rate);
+    }
+}
+
+const std::vector<double> all_rates = {60, 100, 200, 500};
 } // namespace ode_predictive_space::haptics
 
 #endif

@@ -20,25 +20,16 @@ enum class Stepper
     quick  ///< dWorldQuickStep()
 };
 
-/// A world whose bodies a hand pushes, with its measurements. Bodies that a joint connects do not collide.
-class CouplingScene
+/// A world whose bodies a hand pushes, with its measurements.
+class CouplingScene : public ProbeWorld
 {
 public:
-    explicit CouplingScene(Stepper stepper)
-        : world(dWorldCreate()), space(dPredictiveSpaceCreate(nullptr)), joints(dJointGroupCreate(0)),
-          stepper_(stepper), contacts_(dJointGroupCreate(0))
-    {}
-
-    ~CouplingScene()
+    explicit CouplingScene(Stepper stepper) : joints(dJointGroupCreate(0))
     {
-        dJointGroupDestroy(contacts_);
-        dJointGroupDestroy(joints);
-        dSpaceDestroy(space);
-        dWorldDestroy(world);
+        if (stepper == Stepper::quick)
+            step_world = &dWorldQuickStep;
     }
-
-    CouplingScene(const CouplingScene &) = delete;
-    CouplingScene &operator=(const CouplingScene &) = delete;
+    ~CouplingScene() { dJointGroupDestroy(joints); }
 
     void set_gravity() { dWorldSetGravity(world, 0, 0, -gravity); }
 
@@ -91,21 +82,6 @@ public:
         bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(body));
     }
 
-    void collide(HapticProbe &probe)
-    {
-        probe_ = &probe;
-        dSpaceCollide(space, this, &near);
-    }
-
-    void step(double dt)
-    {
-        if (stepper_ == Stepper::exact)
-            dWorldStep(world, dt);
-        else
-            dWorldQuickStep(world, dt);
-        dJointGroupEmpty(contacts_);
-    }
-
     /// N; the forces on the bodies before a step, all of which are the hand's.
     Vector3 force_of_hand() const
     {
@@ -153,11 +129,8 @@ public:
     }
 
     static constexpr double gravity = 9.81; // m/s^2
-    const dWorldID world;
-    const dSpaceID space;
-    const dJointGroupID joints; ///< for joints that are destroyed together
+    const dJointGroupID joints;             ///< for joints that are destroyed together
     std::vector<dBodyID> bodies;
-    double friction = 0.5; ///< of contacts between bodies
 
 private:
     dBodyID add(dGeomID geom, const dMass &mass, const Vector3 &at)
@@ -175,30 +148,6 @@ private:
         dJointAttach(joint, one, other);
         return joint;
     }
-
-    static void near(void *data, dGeomID first, dGeomID second)
-    {
-        auto &self = *static_cast<CouplingScene *>(data);
-        if (self.probe_->touch(first, second))
-            return;
-        const dBodyID one = dGeomGetBody(first);
-        const dBodyID other = dGeomGetBody(second);
-        if ((one == nullptr && other == nullptr) ||
-            (one != nullptr && other != nullptr && dAreConnectedExcluding(one, other, dJointTypeContact) != 0))
-            return;
-        dContact contacts[8] = {};
-        const int count = dCollide(first, second, 8, &contacts[0].geom, sizeof(dContact));
-        for (int i = 0; i < count; ++i)
-        {
-            contacts[i].surface.mode = dContactApprox1;
-            contacts[i].surface.mu = self.friction;
-            dJointAttach(dJointCreateContact(self.world, self.contacts_, &contacts[i]), one, other);
-        }
-    }
-
-    Stepper stepper_;
-    dJointGroupID contacts_;
-    HapticProbe *probe_ = nullptr;
 };
 
 struct HandWay

@@ -39,18 +39,8 @@ class CouplingTest : public testing::TestWithParam<NamedCase>
 
 TEST_P(CouplingTest, TwoThreadsAreAsOne)
 {
-    const CouplingCase &scenario = GetParam().scenario;
-    const Outcome truth = ensemble(scenario, GetParam().stepper, one_thread);
-    ASSERT_GT(truth.peak_force, 0.1);
-    ASSERT_TRUE(!scenario.change || truth.force_at_change > 0.1);
-    for (const double rate : GetParam().rates)
-    {
-        SCOPED_TRACE(std::to_string(rate) + " Hz");
-        expect_as_one(ensemble(scenario, GetParam().stepper, rate), truth, scenario, rate);
-    }
+    expect_as_one_at(GetParam().rates, GetParam().scenario, GetParam().stepper);
 }
-
-const std::vector<double> all_rates = {60, 100, 200, 500};
 
 std::vector<NamedCase> coupled_scenes()
 {
@@ -179,12 +169,7 @@ TEST(Coupling, AProgramIsNotBlamedForWhatTheTrialStepsLeaveOut)
     ScriptedDevice device([](double) { return Vector3(-0.0155, 0, 0); });
     device.open();
     HapticProbe probe(device, scene.space, 0.005, with_stiffness(CouplingCase::stiffness));
-    LoopSettings settings;
-    settings.decoupled = true;
-    settings.physics_rate = 100;
-    settings.duration = 1;
-    settings.clock = &clock;
-    settings.ask_for_priority = false;
+    LoopSettings settings = simulated(clock, 1, true, 100);
     settings.notice = notices.sink();
     double push = 10; // N
     HapticLoop loop(probe, settings);

@@ -123,9 +123,7 @@ public:
         VirtualDeviceSettings settings;
         settings.capabilities.workspace = {Vector3::Constant(-0.5), Vector3::Constant(0.5)};
         VirtualDevice device(settings, [this, hand](double seconds) { return target(seconds, hand); });
-        RenderSettings rendering;
-        rendering.law = law();
-        HapticProbe probe(device, scene_.space, probe_radius, rendering);
+        HapticProbe probe(device, scene_.space, probe_radius, with_law(law()));
         probe.set_recorder([&](const RenderedTick &tick) { note(tick, device.true_position()); });
         run(probe);
     }

@@ -29,21 +29,14 @@ protected:
 
     void run(Device &device, double stiffness, double rate, double physics_rate, double duration,
              const std::function<void(const RenderedTick &)> &recorder = {},
-             const std::function<void()> &each_step = {})
+             const std::function<void(double)> &each_step = {})
     {
-        RenderSettings rendering;
-        rendering.law = make_law(GetParam(), Material{stiffness});
-        HapticProbe probe(device, world_.space, radius, rendering);
+        HapticProbe probe(device, world_.space, radius, with_law(make_law(GetParam(), Material{stiffness})));
         probe.set_recorder(recorder);
         LoopSettings settings = simulated(clock_, duration, true, physics_rate);
         settings.rate = rate;
         HapticLoop loop(probe, settings);
-        loop.run({[&] { world_.collide(probe); },
-                  [&](double dt) {
-                      world_.step(dt);
-                      if (each_step)
-                          each_step();
-                  }});
+        loop.run(world_.work(probe, each_step));
     }
 
     const OdeUse ode_;
@@ -117,7 +110,7 @@ protected:
             }
         };
         run(device, stiffness, 1000, physics_rate, 3, compare,
-            [&] { surface = place_of(body) - towards * (side / 2 + radius); });
+            [&](double) { surface = place_of(body) - towards * (side / 2 + radius); });
         EXPECT_GT(compared, 1000);
         return worst;
     }

@@ -70,7 +70,7 @@ TEST_F(TrialMessagesTest, AreCountedAndGivenOnceInALoopOfTwoThreads)
     LoopSettings loop_settings = simulated(clock, 5, true, 200);
     loop_settings.notice = notices.sink();
     HapticLoop loop(probe, loop_settings);
-    const LoopReport report = loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+    const LoopReport report = loop.run(world.work(probe));
     EXPECT_EQ(messages_of_program, 0U);
     ASSERT_GT(report.trial_messages, 1U) << "or the scene does not show it";
     int given = 0;

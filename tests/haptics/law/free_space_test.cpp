@@ -39,9 +39,7 @@ TEST_F(FreeSpaceTest, OnTheHandDoesNotPushTheBodyThatIsTouched)
     const dBodyID body = world.add_moving_box({0.2, 0.2, 0.1}, {0, 0, -0.05}, 1);
     ScriptedDevice device(reach({0, 0, 0.03}, {0, 0, 0.005}));
     const auto law = std::make_shared<Magnet>(0.3);
-    RenderSettings settings;
-    settings.law = law;
-    HapticProbe probe(device, world.space, radius, settings);
+    HapticProbe probe(device, world.space, radius, with_law(law));
     const Vector3 hand = impulse_on_hand(world, probe, reach_ticks);
     EXPECT_GT(hand.x(), 0.3) << "the pull is felt";
     EXPECT_GT(law->contact.z(), 0.01) << "the box is touched";

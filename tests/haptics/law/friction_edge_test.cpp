@@ -62,7 +62,7 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Laws, FrictionEdgeTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+INSTANTIATE_TEST_SUITE_P(Laws, FrictionEdgeTest, contact_tests, contact_test_name);
 
 TEST_P(FrictionEdgeTest, OverTheRidgeOfARoofTheForceStaysInTheConeAndDoesNotJump)
 {

@@ -41,9 +41,8 @@ protected:
         ProbeWorld world;
         add_surface(world);
         ScriptedDevice device([this](double seconds) { return hand(seconds); });
-        RenderSettings rendering;
-        rendering.law = std::make_shared<ProxyLaw>(Material{k, 0, 0.8, 0.8});
-        HapticProbe probe(device, world.space, 0.004 * GetParam().scale, rendering);
+        HapticProbe probe(device, world.space, 0.004 * GetParam().scale,
+                          with_law(std::make_shared<ProxyLaw>(Material{k, 0, 0.8, 0.8})));
         probe.sensor()->prepare_all();
         const Vector3 normal = turn() * Vector3::UnitZ();
         double most = 0, pressed = 0;

@@ -63,10 +63,7 @@ protected:
             const double along = std::clamp((seconds - 1.5) * speed / std::abs(end - start + 1e-300), 0.0, 1.0);
             return {start + along * (end - start), 0, radius + 0.005 - down * (0.005 + pressed)};
         });
-        RenderSettings rendering;
-        rendering.law = make_law(proxy_law());
-        rendering.notice = notices_.sink();
-        HapticProbe probe(device, world_.space, radius, rendering);
+        HapticProbe probe(device, world_.space, radius, with_law(make_law(proxy_law()), notices_.sink()));
         probe.set_materials([this](dGeomID geom) -> std::optional<Material> {
             const auto found = materials_.find(geom);
             return found != materials_.end() ? std::optional<Material>(found->second) : std::nullopt;
@@ -75,7 +72,7 @@ protected:
         probe.set_recorder([&](const RenderedTick &tick) { ticks.push_back(tick); });
         const double duration = 2.2 + std::abs(end - start) / speed;
         const LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate);
-        HapticLoop(probe, settings).run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+        HapticLoop(probe, settings).run(world_.work(probe));
         return ticks;
     }
 
@@ -99,7 +96,7 @@ protected:
     dGeomID right_ = nullptr;
 };
 
-INSTANTIATE_TEST_SUITE_P(Laws, MaterialTest, testing::Combine(testing::Bool(), testing::Bool()), contact_test_name);
+INSTANTIATE_TEST_SUITE_P(Laws, MaterialTest, contact_tests, contact_test_name);
 
 TEST_P(MaterialTest, SoftBesideHardEachAsStiffAsItIs)
 {

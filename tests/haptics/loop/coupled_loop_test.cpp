@@ -38,8 +38,7 @@ protected:
                 highest = std::max(highest, device.true_position().z());
             }
         });
-        HapticLoop(probe, simulated(clock_, 5))
-            .run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
+        HapticLoop(probe, simulated(clock_, 5)).run(world.work(probe));
         stiffness_ = probe.renderer().rendered(probe.renderer().law().material()).stiffness;
         return highest - lowest;
     }

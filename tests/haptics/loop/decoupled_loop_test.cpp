@@ -23,30 +23,30 @@ protected:
         return settings;
     }
 
-    LoopReport run(Device &device, RenderSettings rendering, const LoopSettings &settings)
+    dBodyID add_box(double kilograms) { return world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, kilograms); }
+
+    /// Runs a loop in which the hand pushes a body. @return the part of the impulse on the hand that the body does not get.
+    double lost_momentum(dBodyID body, const ScriptedDevice::Path &path, RenderSettings rendering,
+                         const LoopSettings &settings, const std::function<void(double)> &after_step = {})
     {
-        HapticProbe probe(device, world_.space, radius, std::move(rendering));
+        ScriptedDevice device(path);
+        WriteLog log(device, clock_);
+        HapticProbe probe(log, world_.space, radius, std::move(rendering));
+        probe.set_recorder(recorder_);
         HapticLoop loop(probe, settings);
-        return loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+        report_ = loop.run(world_.work(probe, after_step));
+        world_.step(1 / settings.physics_rate); // the hand's last impulse is pending
+        EXPECT_GT(log.impulse().norm(), 0.5);
+        return (log.impulse() + momentum_of(body)).norm() / log.impulse().norm();
     }
 
     const OdeUse ode_;
     SimulatedClock clock_;
     ProbeWorld world_;
     NoticeList notices_;
+    std::function<void(const RenderedTick &)> recorder_; ///< may be empty
+    LoopReport report_;                                  ///< of the last run
 };
-
-/// N s; rendered by the device up to `end`.
-Vector3 impulse_of(const std::vector<LoggedWrite> &writes, double end)
-{
-    Vector3 impulse = Vector3::Zero();
-    for (std::size_t i = 0; i < writes.size(); ++i)
-    {
-        const double until = i + 1 < writes.size() ? writes[i + 1].time : end;
-        impulse += (until - writes[i].time) * writes[i].wrench.force;
-    }
-    return impulse;
-}
 
 TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
 {
@@ -60,21 +60,15 @@ TEST_F(DecoupledLoopTest, WhatTheHandGetsTheBodyLosesAtAnyRates)
     {
         SCOPED_TRACE(std::to_string(rates.servo) + " Hz and " + std::to_string(rates.physics) + " Hz");
         clock_.advance(1);
-        ProbeWorld world;
-        const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0.01, -0.05}, 20);
-        ScriptedDevice device([](double seconds) -> Vector3 {
+        const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0.01, -0.05}, 20);
+        const auto path = [](double seconds) -> Vector3 {
             const double t = std::max(0.0, seconds - 1);
             return {0.02 * std::sin(3 * t), 0, 0.03 - 0.035 * std::pow(std::sin(8 * t), 2)};
-        });
-        WriteLog log(device, clock_);
-        HapticProbe probe(log, world.space, radius, with_stiffness(rates.stiffness));
-        const LoopSettings settings = this->settings(rates.servo, rates.physics, 3);
-        HapticLoop loop(probe, settings);
-        loop.run({[&] { world.collide(probe); }, [&](double dt) { world.step(dt); }});
-        world.step(1 / rates.physics); // the hand's last impulse is pending
-        const Vector3 impulse = impulse_of(log.writes(), clock_.now());
-        EXPECT_GT(impulse.norm(), 0.5);
-        EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
+        };
+        EXPECT_LE(lost_momentum(body, path, with_stiffness(rates.stiffness), settings(rates.servo, rates.physics, 3)),
+                  1e-9);
+        dGeomDestroy(dBodyGetFirstGeom(body));
+        dBodyDestroy(body);
     }
 }
 
@@ -132,98 +126,42 @@ private:
 
 TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheServoMissesDeadlines)
 {
-    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 20);
-    ScriptedDevice device([](double seconds) -> Vector3 {
+    const auto path = [](double seconds) -> Vector3 {
         return {0, 0, 0.03 - 0.035 * std::pow(std::sin(8 * std::max(0.0, seconds - 1)), 2)};
-    });
-    WriteLog log(device, clock_);
-    RenderSettings rendering;
-    rendering.law = std::make_shared<SlowLaw>(clock_);
-    HapticProbe probe(log, world_.space, radius, std::move(rendering));
-    HapticLoop loop(probe, settings(4000, 1000, 3));
-    const LoopReport report = loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
-    world_.step(0.001);
-    EXPECT_GT(report.overruns, 100U);
-    const Vector3 impulse = impulse_of(log.writes(), clock_.now());
-    EXPECT_GT(impulse.norm(), 0.5);
-    EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
+    };
+    const RenderSettings rendering = with_law(std::make_shared<SlowLaw>(clock_));
+    EXPECT_LE(lost_momentum(add_box(20), path, rendering, settings(4000, 1000, 3)), 1e-9);
+    EXPECT_GT(report_.overruns, 100U);
+}
+
+Vector3 press_slowly(double seconds)
+{
+    return {0, 0, 0.03 - 0.025 * std::clamp(2 * (seconds - 1), 0.0, 1.0)};
 }
 
 TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
 {
-    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
-    ScriptedDevice device([](double seconds) -> Vector3 {
-        return {0, 0, 0.03 - 0.025 * std::clamp(2 * (seconds - 1), 0.0, 1.0)};
-    });
-    WriteLog log(device, clock_);
-    HapticProbe probe(log, world_.space, radius, with_stiffness(300));
-    HapticLoop loop(probe, settings(4000, 1000, 3));
-    bool stalled = false;
-    loop.run({[&] { world_.collide(probe); },
-              [&](double dt) {
-                  world_.step(dt);
-                  if (clock_.now() > 2 && !stalled)
-                  {
-                      stalled = true;
-                      clock_.advance(0.1);
-                  }
-              }});
-    world_.step(0.001);
+    Once stall(clock_, 2, [&] { clock_.advance(0.1); });
+    EXPECT_LE(lost_momentum(add_box(100), &press_slowly, with_stiffness(300), settings(4000, 1000, 3), std::ref(stall)),
+              1e-9);
     EXPECT_GE(notices_.count(NoticeKind::watchdog), 1);
-    const Vector3 impulse = impulse_of(log.writes(), clock_.now());
-    EXPECT_GT(impulse.norm(), 0.5);
-    EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
 }
 
-class HangingServoTest : public DecoupledLoopTest
+TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheGuardTakesTheForceFromALawThatHangs)
 {
-protected:
-    /// @return the part of the impulse on the hand that the body does not get.
-    double lost_momentum(double law_hangs_at, double recorder_hangs_at)
-    {
-        const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
-        ScriptedDevice device([](double seconds) -> Vector3 {
-            return {0, 0, 0.03 - 0.025 * std::clamp(2 * (seconds - 1), 0.0, 1.0)};
-        });
-        WriteLog log(device, clock_);
-        RenderSettings rendering;
-        rendering.law = std::make_shared<TroubledLaw>([&] { hang_once(law_hangs_at); });
-        HapticProbe probe(log, world_.space, radius, std::move(rendering));
-        probe.set_recorder([&](const RenderedTick &) { hang_once(recorder_hangs_at); });
-        HapticLoop loop(probe, settings(4000, 1000, 3));
-        loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
-        world_.step(0.001);
-        EXPECT_TRUE(hung_);
-        EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
-        const Vector3 impulse = impulse_of(log.writes(), clock_.now());
-        EXPECT_GT(impulse.norm(), 0.5);
-        return (impulse + momentum_of(body)).norm() / impulse.norm();
-    }
-
-private:
-    void hang_once(double from)
-    {
-        if (clock_.now() > from && !hung_)
-        {
-            hung_ = true;
-            clock_.advance(0.1);
-        }
-    }
-
-    bool hung_ = false;
-};
-
-constexpr double never = 1000; // s
-
-TEST_F(HangingServoTest, MomentumIsKeptWhenTheGuardTakesTheForceFromALawThatHangs)
-{
-    EXPECT_LE(lost_momentum(1.9, never), 1e-9);
+    Once hang(clock_, 1.9, [&] { clock_.advance(0.1); });
+    const RenderSettings rendering = with_law(std::make_shared<TroubledLaw>(std::ref(hang)));
+    EXPECT_LE(lost_momentum(add_box(100), &press_slowly, rendering, settings(4000, 1000, 3)), 1e-9);
+    EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
 }
 
 // The force was written just before the recorder hung; its division among objects is approximate for these 5 ms.
-TEST_F(HangingServoTest, LittleIsLostWhenItTakesItFromARecorderThatHangs)
+TEST_F(DecoupledLoopTest, LittleIsLostWhenTheGuardTakesTheForceFromARecorderThatHangs)
 {
-    EXPECT_LE(lost_momentum(never, 1.9), 1e-3);
+    Once hang(clock_, 1.9, [&] { clock_.advance(0.1); });
+    recorder_ = [&](const RenderedTick &) { hang(); };
+    EXPECT_LE(lost_momentum(add_box(100), &press_slowly, with_stiffness(spring), settings(4000, 1000, 3)), 1e-3);
+    EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
 }
 
 TEST_F(DecoupledLoopTest, TheServoFeelsAPlaneExactlyWhileTheSceneIsSlow)
@@ -243,7 +181,7 @@ TEST_F(DecoupledLoopTest, TheServoFeelsAPlaneExactlyWhileTheSceneIsSlow)
         }
     });
     HapticLoop loop(probe, settings(4000, 100, 2));
-    const LoopReport report = loop.run({[&] { world_.collide(probe); }, [&](double dt) { world_.step(dt); }});
+    const LoopReport report = loop.run(world_.work(probe));
     EXPECT_GT(compared, 3000);
     EXPECT_NEAR(static_cast<double>(report.ticks), 8000, 42) << "less the last step";
     EXPECT_NEAR(static_cast<double>(report.steps), 200, 1);
@@ -251,25 +189,19 @@ TEST_F(DecoupledLoopTest, TheServoFeelsAPlaneExactlyWhileTheSceneIsSlow)
 
 TEST_F(DecoupledLoopTest, ABodyMayBeDestroyedWhileItIsPushed)
 {
-    const dBodyID body = world_.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
+    const dBodyID body = add_box(100);
     ScriptedDevice device([](double seconds) -> Vector3 {
         return {0, 0, std::clamp(0.03 - (seconds - 1), 0.007, 0.03)}; // no jump: it would give no force
     });
     HapticProbe probe(device, world_.space, radius, with_stiffness(500));
     HapticLoop loop(probe, settings(4000, 1000, 2));
-    bool destroyed = false;
     double force_before = 0;
-    loop.run({[&] { world_.collide(probe); },
-              [&](double dt) {
-                  world_.step(dt);
-                  if (clock_.now() > 1.5 && !destroyed)
-                  {
-                      destroyed = true;
-                      force_before = loop.latest().force.z();
-                      dGeomDestroy(dBodyGetFirstGeom(body));
-                      dBodyDestroy(body);
-                  }
-              }});
+    Once end(clock_, 1.5, [&] {
+        force_before = loop.latest().force.z();
+        dGeomDestroy(dBodyGetFirstGeom(body));
+        dBodyDestroy(body);
+    });
+    loop.run(world_.work(probe, std::ref(end)));
     EXPECT_GT(force_before, 0.1);
     EXPECT_TRUE(probe.last_tick().force.isZero(0));
 }

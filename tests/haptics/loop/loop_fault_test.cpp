@@ -10,41 +10,32 @@ namespace
 {
 using LoopFaultTest = HapticLoopTest;
 
-INSTANTIATE_TEST_SUITE_P(Kinds, LoopFaultTest, testing::Bool(),
-                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopFaultTest, testing::Bool(), name_of_loop);
 
 TEST_P(LoopFaultTest, AStalledStepEndsWithZeroForceAndANoticeWhileItLasts)
 {
     make();
-    double stalled_at = 0;
     int notices_during_stall = 0;
-    loop_->run(work([&](double time) {
-        if (time >= pressed_after && stalled_at == 0)
-        {
-            stalled_at = time;
-            clock_.advance(0.5);
-            notices_during_stall = notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog);
-        }
-    }));
-    expect_zero_force_after(stalled_at, stalled_at + 0.5);
+    Once stall(clock_, pressed_after, [&] {
+        clock_.advance(0.5);
+        notices_during_stall = notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog);
+    });
+    loop_->run(work(std::ref(stall)));
+    expect_zero_force_after(stall.at, stall.at + 0.5);
     EXPECT_GE(notices_during_stall, 1);
 }
 
 TEST_P(LoopFaultTest, AStalledCollisionEndsWithZeroForceAndItsStaleForceIsNotRendered)
 {
     make();
-    double stalled_at = 0;
-    const SceneWork ordinary = work();
-    loop_->run({[&] {
-                    ordinary.collide();
-                    if (clock_.now() >= pressed_after && stalled_at == 0)
-                    {
-                        stalled_at = clock_.now();
-                        clock_.advance(0.5);
-                    }
-                },
-                ordinary.advance});
-    expect_zero_force_after(stalled_at, stalled_at + 0.5);
+    Once stall(clock_, pressed_after, [&] { clock_.advance(0.5); });
+    SceneWork late = work();
+    late.collide = [&] {
+        world_.collide(*probe_);
+        stall();
+    };
+    loop_->run(late);
+    expect_zero_force_after(stall.at, stall.at + 0.5);
     EXPECT_GE(notices_.count(NoticeKind::guard) + notices_.count(NoticeKind::watchdog), 1);
 }
 
@@ -57,17 +48,10 @@ TEST_P(LoopFaultTest, AStalledStepIsFoundSoonAfterTheNextOneWasDueAtLowRates)
         slow.rate = GetParam() ? 1000 : rate;
         slow.physics_rate = rate;
         make(usual_rendering(), slow);
-        const double begin = clock_.now();
-        double stalled_at = 0;
-        loop_->run(work([&](double time) {
-            if (time >= begin + 2.5 && stalled_at == 0)
-            {
-                stalled_at = time;
-                clock_.advance(0.5);
-            }
-        }));
-        EXPECT_GT(log_.force_at(stalled_at).z(), 0.1);
-        EXPECT_TRUE(log_.was_quiet(stalled_at + 1 / rate + grace, stalled_at + 0.5));
+        Once stall(clock_, clock_.now() + 2.5, [&] { clock_.advance(0.5); });
+        loop_->run(work(std::ref(stall)));
+        EXPECT_GT(log_.force_at(stall.at).z(), 0.1);
+        EXPECT_TRUE(log_.was_quiet(stall.at + 1 / rate + grace, stall.at + 0.5));
         loop_.reset();
         probe_.reset();
     }
@@ -77,8 +61,7 @@ TEST_P(LoopFaultTest, AStalledStepIsFoundSoonAfterTheNextOneWasDueAtLowRates)
 class SecondProbe : public testing::TestWithParam<bool>
 {};
 
-INSTANTIATE_TEST_SUITE_P(Kinds, SecondProbe, testing::Bool(),
-                         [](const testing::TestParamInfo<bool> &kind) { return kind.param ? "Decoupled" : "Coupled"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, SecondProbe, testing::Bool(), name_of_loop);
 
 TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
 {
@@ -96,38 +79,26 @@ TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
     HapticProbe second(second_log, other.space, radius, usual_rendering());
     LoopSettings settings = simulated(clock, 3, GetParam());
     settings.notice = notices.sink();
-    double stalled_at = 0;
+    Once stall(clock, pressed_after, [&] { clock.advance(0.06); });
     HapticLoop(first, settings)
         .run({[&] { world.collide(first); },
               [&](double dt) {
                   second.begin(clock.now(), clock.now());
                   other.collide(second);
                   second.render(dt);
-                  if (clock.now() > pressed_after && stalled_at == 0)
-                  {
-                      stalled_at = clock.now();
-                      clock.advance(0.06);
-                  }
+                  stall();
               }});
-    EXPECT_GT(second_log.force_at(stalled_at).z(), 3);
-    EXPECT_TRUE(second_log.was_quiet(stalled_at + grace, stalled_at + 0.06));
+    EXPECT_GT(second_log.force_at(stall.at).z(), 3);
+    EXPECT_TRUE(second_log.was_quiet(stall.at + grace, stall.at + 0.06));
     EXPECT_EQ(notices.count(NoticeKind::guard), 1);
 }
 
 TEST_P(LoopFaultTest, ALawThatHangsEndsWithZeroForceAndANotice)
 {
-    double stalled_at = 0;
-    RenderSettings rendering;
-    rendering.law = std::make_shared<TroubledLaw>([&] {
-        if (clock_.now() >= pressed_after && stalled_at == 0)
-        {
-            stalled_at = clock_.now();
-            clock_.advance(0.5);
-        }
-    });
-    make(std::move(rendering));
+    Once stall(clock_, pressed_after, [&] { clock_.advance(0.5); });
+    make(with_law(std::make_shared<TroubledLaw>(std::ref(stall))));
     loop_->run(work());
-    expect_zero_force_after(stalled_at, stalled_at + 0.501);
+    expect_zero_force_after(stall.at, stall.at + 0.501);
     EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
 }
 
@@ -140,16 +111,10 @@ TEST_P(LoopFaultTest, EveryWayForADeviceToBreakEndsWithZeroForceAndANotice)
         device_.break_now(Breakage::none);
         make();
         const double begin = clock_.now();
-        double broken_at = 0;
-        loop_->run(work([&](double time) {
-            if (time >= begin + pressed_after && broken_at == 0)
-            {
-                broken_at = time;
-                device_.break_now(breakage);
-            }
-        }));
+        Once breaking(clock_, begin + pressed_after, [&] { device_.break_now(breakage); });
+        loop_->run(work(std::ref(breaking)));
         SCOPED_TRACE(static_cast<int>(breakage));
-        expect_zero_force_after(broken_at, begin + 3);
+        expect_zero_force_after(breaking.at, begin + 3);
         EXPECT_EQ(notices_.count(NoticeKind::device), 1);
         EXPECT_NEAR(clock_.now(), begin + 3, 0.002) << "the program goes on";
         loop_.reset();
@@ -161,15 +126,9 @@ TEST_P(LoopFaultTest, AContactThatIsNotANumberEndsWithZeroForceAndANotice)
 {
     make();
     dGeomID broken = nullptr;
-    double broken_at = 0;
-    loop_->run(work([&](double time) {
-        if (time >= pressed_after && broken == nullptr)
-        {
-            broken = add_broken_geom(world_.space);
-            broken_at = time;
-        }
-    }));
-    expect_zero_force_after(broken_at, 3);
+    Once breaking(clock_, pressed_after, [&] { broken = add_broken_geom(world_.space); });
+    loop_->run(work(std::ref(breaking)));
+    expect_zero_force_after(breaking.at, 3);
     EXPECT_GE(notices_.count(NoticeKind::contact), 1);
     dGeomDestroy(broken);
 }
@@ -178,14 +137,11 @@ TEST_P(LoopFaultTest, ADeviceThatIsLostAfterItsDriverHungGetsItsZero)
 {
     make();
     double answered_at = 0;
-    scripted_.before_read = [&] {
-        if (clock_.now() >= pressed_after && answered_at == 0)
-        {
-            clock_.advance(0.0072); // the guard finds the device busy
-            answered_at = clock_.now();
-            throw DeviceError(DeviceFault::lost, "the device is gone");
-        }
-    };
+    scripted_.before_read = Once(clock_, pressed_after, [&] {
+        clock_.advance(0.0072); // the guard finds the device busy
+        answered_at = clock_.now();
+        throw DeviceError(DeviceFault::lost, "the device is gone");
+    });
     loop_->run(work());
     expect_zero_force_after(answered_at - grace, answered_at + 0.1);
 }
@@ -193,16 +149,10 @@ TEST_P(LoopFaultTest, ADeviceThatIsLostAfterItsDriverHungGetsItsZero)
 TEST_P(LoopFaultTest, ADriverThatHangsIsToldOf)
 {
     make();
-    bool stalled = false;
-    scripted_.before_read = [&] {
-        if (clock_.now() >= pressed_after && !stalled)
-        {
-            stalled = true;
-            clock_.advance(0.5);
-        }
-    };
+    Once stall(clock_, pressed_after, [&] { clock_.advance(0.5); });
+    scripted_.before_read = std::ref(stall);
     loop_->run(work());
-    EXPECT_TRUE(stalled);
+    EXPECT_GT(stall.at, 0);
     EXPECT_NE(notices_.text(NoticeKind::guard).find("driver"), std::string::npos);
     EXPECT_TRUE(log_.was_quiet(pressed_after + 0.51, pressed_after + 0.51 + grace))
         << "and the force does not come at once";

@@ -7,6 +7,7 @@
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/faulty_device.h"
+#include "tests/haptics/support/once.h"
 #include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/scripted_device.h"
 
@@ -33,6 +34,12 @@ inline Vector3 press_down(double seconds)
     return {0, 0, 0.05 + u * u * u * (10 + u * (-15 + 6 * u)) * (radius - depth - 0.05)};
 }
 
+inline std::string name_of_loop(const testing::TestParamInfo<bool> &decoupled)
+{
+    return decoupled.param ? "Decoupled" : "SingleThreaded";
+}
+
+/// The parameter: whether the loop has two threads.
 class HapticLoopTest : public testing::TestWithParam<bool>
 {
 protected:
@@ -60,12 +67,10 @@ protected:
     /// Collides and steps; `also` is called in each step, with the clock's time.
     SceneWork work(std::function<void(double)> also = {})
     {
-        return {[this] { world_.collide(*probe_); },
-                [this, also](double dt) {
-                    world_.step(dt);
-                    if (also)
-                        also(clock_.now());
-                }};
+        return world_.work(*probe_, [this, also](double) {
+            if (also)
+                also(clock_.now());
+        });
     }
 
     /// Expects the full force before the fault, and zero from soon after it to `until`.

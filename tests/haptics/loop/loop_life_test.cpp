@@ -15,8 +15,7 @@ namespace
 {
 using LoopLifeTest = HapticLoopTest;
 
-INSTANTIATE_TEST_SUITE_P(Kinds, LoopLifeTest, testing::Bool(),
-                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopLifeTest, testing::Bool(), name_of_loop);
 
 TEST_P(LoopLifeTest, ASecondLoopOnAProbeIsRefusedWhileTheFirstRuns)
 {
@@ -53,22 +52,12 @@ protected:
         HapticLoop &loop = *loop_;
         HapticProbe &probe = *probe_;
         std::atomic<int> steps{0};
-        std::atomic<bool> within_step{false};
-        std::thread runner([&] {
-            loop.run({[&] { world_.collide(probe); },
-                      [&](double dt) {
-                          within_step = true;
-                          world_.step(dt);
-                          ++steps;
-                          within_step = false;
-                      }});
-        });
+        std::thread runner([&] { loop.run(world_.work(probe, [&](double) { ++steps; })); });
         EXPECT_TRUE(eventually([&] { return steps >= 10; }));
         destroy();
         const int last = steps;
-        const bool ended = !within_step;
         runner.join();
-        return ended && steps == last;
+        return steps == last;
     }
 
     const OdeUse ode_;
@@ -78,8 +67,7 @@ protected:
     std::unique_ptr<HapticLoop> loop_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Kinds, LoopLifeThreadsTest, testing::Bool(),
-                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopLifeThreadsTest, testing::Bool(), name_of_loop);
 
 TEST_P(LoopLifeThreadsTest, ALoopThatIsDestroyedEndsFirst)
 {
@@ -95,8 +83,7 @@ TEST_P(LoopLifeThreadsTest, AProbeThatIsDestroyedEndsItsLoopFirst)
 
 using LoopLifeDeathTest = HapticLoopTest;
 
-INSTANTIATE_TEST_SUITE_P(Kinds, LoopLifeDeathTest, testing::Bool(),
-                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopLifeDeathTest, testing::Bool(), name_of_loop);
 
 TEST_P(LoopLifeDeathTest, WhatIsDestroyedInItsOwnLoopEndsWithAMessage)
 {

@@ -33,8 +33,7 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Kinds, LoopNoticeTest, testing::Bool(),
-                         [](const testing::TestParamInfo<bool> &kind) { return kind.param ? "Decoupled" : "Coupled"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, LoopNoticeTest, testing::Bool(), name_of_loop);
 
 TEST_P(LoopNoticeTest, OneStallIsToldOfOnce)
 {

@@ -12,8 +12,7 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-INSTANTIATE_TEST_SUITE_P(Kinds, HapticLoopTest, testing::Bool(),
-                         [](const auto &info) { return info.param ? "Decoupled" : "SingleThreaded"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, HapticLoopTest, testing::Bool(), name_of_loop);
 
 TEST_P(HapticLoopTest, RendersAtItsRateForItsDuration)
 {
@@ -81,10 +80,7 @@ TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)
     const SignalDisposition ending(SIGTERM);
     const StopRequest request;
     make();
-    loop_->run(work([](double time) {
-        if (time >= pressed_after && !StopRequest::requested())
-            std::raise(SIGTERM);
-    }));
+    loop_->run(work(Once(clock_, pressed_after, [] { std::raise(SIGTERM); })));
     EXPECT_NEAR(clock_.now(), pressed_after, 0.002);
     expect_zero_force_after(pressed_after, clock_.now() + 1);
     EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
@@ -127,15 +123,13 @@ TEST_P(HapticLoopTest, AnExceptionOfTheProgramComesOutAfterZeroForceAndANotice)
 TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
 {
     double thrown_at = 0;
-    RenderSettings rendering;
-    rendering.law = std::make_shared<TroubledLaw>([&] {
+    make(with_law(std::make_shared<TroubledLaw>([&] {
         if (clock_.now() >= pressed_after)
         {
             thrown_at = clock_.now();
             throw std::runtime_error("the law has a bug");
         }
-    });
-    make(std::move(rendering));
+    })));
     EXPECT_THROW(loop_->run(work()), std::runtime_error);
     expect_zero_force_after(thrown_at, clock_.now() + 1);
     EXPECT_NE(notices_.text(NoticeKind::exception).find("the law has a bug"), std::string::npos);
@@ -144,16 +138,11 @@ TEST_P(HapticLoopTest, AnExceptionOfTheLawComesOutAfterZeroForceAndANotice)
 TEST_P(HapticLoopTest, ALawThatCannotBeResetDoesNotKeepTheForce)
 {
     const auto law = std::make_shared<TroubledLaw>([] {});
-    RenderSettings rendering;
-    rendering.law = law;
-    make(std::move(rendering));
-    loop_->run(work([&](double time) {
-        if (time >= pressed_after)
-        {
-            law->at_reset = [] { throw std::runtime_error("the law has a bug"); };
-            loop_->stop();
-        }
-    }));
+    make(with_law(law));
+    loop_->run(work(Once(clock_, pressed_after, [&] {
+        law->at_reset = [] { throw std::runtime_error("the law has a bug"); };
+        loop_->stop();
+    })));
     expect_zero_force_after(pressed_after, clock_.now() + 1);
     EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
 }
@@ -164,33 +153,21 @@ TEST_P(HapticLoopTest, AStopTakesTheForceWhileTheLoopWaitsForItsNextTick)
     slow.rate = 100;
     slow.physics_rate = 100;
     make(usual_rendering(), slow);
-    double stopped_at = 0;
-    const auto stopper = clock_.start({0.0025, {}, [&](double time) {
-                                           if (time >= 2.5 && stopped_at == 0)
-                                           {
-                                               stopped_at = time;
-                                               loop_->stop();
-                                           }
-                                       }});
+    Once stop(clock_, 2.5, [&] { loop_->stop(); });
+    const auto stopper = clock_.start({0.0025, {}, std::ref(stop)});
     loop_->run(work());
-    EXPECT_GT(log_.force_at(stopped_at - 0.001).z(), 0.1);
-    EXPECT_TRUE(log_.was_quiet(stopped_at + 0.0015, clock_.now() + 1));
+    EXPECT_GT(log_.force_at(stop.at - 0.001).z(), 0.1);
+    EXPECT_TRUE(log_.was_quiet(stop.at + 0.0015, clock_.now() + 1));
     EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
 }
 
 TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
 {
     make();
-    bool stalled = false;
-    scripted_.before_read = [&] {
-        if (clock_.now() >= 2.9985 && !stalled)
-        {
-            stalled = true;
-            clock_.advance(0.0072); // the guard finds the device busy
-        }
-    };
+    Once stall(clock_, 2.9985, [&] { clock_.advance(0.0072); }); // the guard finds the device busy
+    scripted_.before_read = std::ref(stall);
     loop_->run(work());
-    EXPECT_TRUE(stalled);
+    EXPECT_GT(stall.at, 0);
     EXPECT_GT(log_.force_at(2.99).z(), 1);
     EXPECT_TRUE(log_.was_quiet(clock_.now(), clock_.now() + 1));
 }
@@ -198,14 +175,8 @@ TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
 TEST_P(HapticLoopTest, ALittleDelayIsMadeUpFor)
 {
     make();
-    bool late = false;
-    const LoopReport report = loop_->run(work([&](double time) {
-        if (time >= 1 && !late)
-        {
-            late = true;
-            clock_.advance(0.0032);
-        }
-    }));
+    Once delay(clock_, 1, [&] { clock_.advance(0.0032); });
+    const LoopReport report = loop_->run(work(std::ref(delay)));
     EXPECT_EQ(report.dropped_steps, 0U);
     EXPECT_NEAR(static_cast<double>(report.steps), 3000, 1);
     EXPECT_NEAR(clock_.now(), 3, 0.002);
@@ -215,14 +186,8 @@ TEST_P(HapticLoopTest, ALittleDelayIsMadeUpFor)
 TEST_P(HapticLoopTest, ALongDelayIsNot)
 {
     make();
-    bool late = false;
-    const LoopReport report = loop_->run(work([&](double time) {
-        if (time >= 1 && !late)
-        {
-            late = true;
-            clock_.advance(1);
-        }
-    }));
+    Once delay(clock_, 1, [&] { clock_.advance(1); });
+    const LoopReport report = loop_->run(work(std::ref(delay)));
     EXPECT_GT(report.dropped_steps, 990U);
     EXPECT_NEAR(static_cast<double>(report.steps), 3000, 1);
     EXPECT_NEAR(clock_.now(), 4, 0.01);

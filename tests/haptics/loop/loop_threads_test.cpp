@@ -113,13 +113,11 @@ TEST_F(LoopThreadsTest, BothKindsRunAndAreWatchedFromAThirdThread)
             }
         });
         double largest = 0;
-        const LoopReport report = loop.run({[&] { world.collide(probe); },
-                                            [&](double dt) {
-                                                largest = std::max(largest, loop.latest().requested.norm());
-                                                world.step(dt);
-                                                if (largest > 0 && reads > 10 && loop.report().ticks > 100)
-                                                    loop.stop();
-                                            }});
+        const LoopReport report = loop.run(world.work(probe, [&](double) {
+            largest = std::max(largest, loop.latest().requested.norm());
+            if (largest > 0 && reads > 10 && loop.report().ticks > 100)
+                loop.stop();
+        }));
         over = true;
         watcher.join();
         EXPECT_GT(reads, 10);
@@ -141,17 +139,14 @@ TEST_F(LoopThreadsTest, AHangingSceneHasNoForceWhileItHangs)
         HapticLoop loop(probe, settings(decoupled));
         bool hung = false;
         const int before = count(NoticeKind::guard) + count(NoticeKind::watchdog);
-        loop.run({[&] { world.collide(probe); },
-                  [&](double dt) {
-                      world.step(dt);
-                      if (device_.force <= 0)
-                          return;
-                      hung = true;
-                      EXPECT_TRUE(eventually([&] { return device_.force == 0; }));
-                      EXPECT_TRUE(
-                          eventually([&] { return count(NoticeKind::guard) + count(NoticeKind::watchdog) > before; }));
-                      loop.stop();
-                  }});
+        loop.run(world.work(probe, [&](double) {
+            if (device_.force <= 0)
+                return;
+            hung = true;
+            EXPECT_TRUE(eventually([&] { return device_.force == 0; }));
+            EXPECT_TRUE(eventually([&] { return count(NoticeKind::guard) + count(NoticeKind::watchdog) > before; }));
+            loop.stop();
+        }));
         EXPECT_TRUE(hung);
         EXPECT_EQ(device_.force, 0);
     }
@@ -168,13 +163,12 @@ TEST_F(LoopThreadsTest, WhatTheNoticesSinkThrowsEndsTheLoopWithoutForce)
         settings.notice = [](const Notice &) { throw std::runtime_error("the terminal is gone"); };
         HapticLoop loop(probe, settings);
         bool pressed = false;
-        EXPECT_THROW(loop.run({[&] { world.collide(probe); },
-                               [&](double dt) {
-                                   world.step(dt);
-                                   pressed = pressed || device_.force > 0;
-                                   if (pressed)
-                                       std::this_thread::sleep_for(std::chrono::milliseconds(20)); // worth a notice
-                               }}),
+        EXPECT_THROW(loop.run(world.work(probe,
+                                         [&](double) {
+                                             pressed = pressed || device_.force > 0;
+                                             if (pressed) // worth a notice
+                                                 std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                         })),
                      std::runtime_error);
         EXPECT_EQ(device_.force, 0);
     }

@@ -56,9 +56,7 @@ int steps_per_period(const CouplingCase &scenario, double part)
     NoticeList notices;
     ScriptedDevice device([&](double seconds) { return scenario.hand.at(seconds); });
     device.open();
-    RenderSettings rendering;
-    rendering.law = scenario.law();
-    HapticProbe probe(device, scene.space, radius, rendering);
+    HapticProbe probe(device, scene.space, radius, with_law(scenario.law()));
     LoopSettings settings = simulated(clock, 1, true, rate);
     settings.notice = notices.sink();
     HapticLoop loop(probe, settings);

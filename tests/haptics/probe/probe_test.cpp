@@ -157,6 +157,10 @@ TEST_F(HapticProbeTest, TheProgramMayGiveAGeomAndKeepsIt)
         EXPECT_NEAR(probe.last_tick().force.z(), 1.6, 1e-9);
     }
     EXPECT_EQ(dSpaceQuery(world.space, capsule), 1);
+    EXPECT_EQ(dGeomGetBody(capsule), nullptr) << "it is left as it was";
+    const dGeomID in_no_space = dCreateSphere(nullptr, radius);
+    EXPECT_EQ(HapticProbe(device, in_no_space).geom(), in_no_space);
+    dGeomDestroy(in_no_space);
 }
 
 TEST_F(HapticProbeTest, WhatCannotBeAProbeIsRefused)

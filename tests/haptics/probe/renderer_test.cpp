@@ -201,30 +201,6 @@ TEST(Renderer, NothingIsLeftOfAForceThatWasTakenAway)
     }
 }
 
-/// A driver, such as that of a wireless device, returns nonsense for a moment while the hand presses.
-TEST(Renderer, AfterAMomentOfNonsenseTheForceRisesFromZero)
-{
-    bool nonsense = false;
-    ScriptedDevice device([&](double seconds) -> Vector3 {
-        return {0, 0, nonsense ? nan : std::max(0.01 - 0.024 * seconds, -0.014)};
-    });
-    Renderer renderer(device, {});
-    int tick = 0;
-    for (; tick < 1200; ++tick)
-        feel_wall(renderer, dt * tick);
-    const double pressing = renderer.last_tick().force.z();
-    ASSERT_GT(pressing, 6);
-    nonsense = true;
-    feel_wall(renderer, dt * tick++);
-    nonsense = false;
-    EXPECT_TRUE(device.last_wrench().force.isZero(0));
-    for (int after = 1; after < 20; ++after, ++tick)
-    {
-        feel_wall(renderer, dt * tick);
-        ASSERT_LE(renderer.last_tick().force.z(), pressing * after * 0.02) << after;
-    }
-}
-
 TEST(Renderer, APlacementThatPutsTheToolIntoSomethingGivesNoForceUntilItWasLeft)
 {
     ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, 0.01 + 0.01 * std::cos(seconds)}; });

@@ -82,8 +82,7 @@ TEST_F(TwoProbes, PressedOnEachOtherFeelTheSameForceInEitherOrder)
         TwoProbeWorld scene;
         VirtualDevice left = hand_from(-1);
         VirtualDevice right = hand_from(1);
-        RenderSettings soft;
-        soft.law = std::make_shared<ProxyLaw>(Material{300});
+        const RenderSettings soft = with_law(std::make_shared<ProxyLaw>(Material{300}));
         HapticProbe first(left, scene.world.space, radius, order < 2 ? RenderSettings() : soft);
         HapticProbe second(right, scene.world.space, radius);
         scene.probes[order % 2] = &first;

@@ -2,6 +2,7 @@
 #include "ode_predictive_space/haptics/recording.h"
 #include "tests/haptics/support/allocation_count.h"
 #include "tests/haptics/support/child_program.h"
+#include "tests/support/error_of.h"
 #include "tests/support/scratch.h"
 
 #include <cmath>
@@ -271,16 +272,9 @@ TEST(Recorder, ATerminateHandlerMayUseTheOneThatHasThrown)
 
 TEST(Recorder, SaysWhyItCannotMakeTheFile)
 {
-    try
-    {
-        Recorder("/no/such/folder/run.txt", any_device());
-        ADD_FAILURE() << "there is no such folder";
-    }
-    catch (const DeviceError &error)
-    {
-        EXPECT_EQ(error.fault(), DeviceFault::missing_file);
-        EXPECT_NE(std::string(error.what()).find("/no/such/folder/run.txt"), std::string::npos);
-    }
+    const auto error = error_of<DeviceError>([] { Recorder("/no/such/folder/run.txt", any_device()); });
+    EXPECT_EQ(error.fault(), DeviceFault::missing_file);
+    EXPECT_NE(std::string(error.what()).find("/no/such/folder/run.txt"), std::string::npos);
     const ScratchFile file;
     EXPECT_THROW(Recorder(file.path(), any_device(), Flush::by_caller, 0), std::invalid_argument);
 }

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/recording.h"
 
+#include "tests/support/error_of.h"
 #include "tests/support/scratch.h"
 
 #include <cmath>
@@ -26,34 +27,20 @@ private:
     uid_t user_;
 };
 
-struct Problem
+DeviceError problem_with(const std::string &file, std::size_t most_ticks = most_recorded_ticks)
 {
-    DeviceFault fault;
-    std::string message;
-};
-
-Problem problem_with(const std::string &file)
-{
-    try
-    {
-        read_recording(file);
-    }
-    catch (const DeviceError &error)
-    {
-        EXPECT_NE(std::string(error.what()).find(file), std::string::npos) << "it names the file";
-        return {error.fault(), error.what()};
-    }
-    ADD_FAILURE() << "it has been read";
-    return {DeviceFault::failed, ""};
+    const DeviceError error = error_of<DeviceError>([&] { read_recording(file, most_ticks); });
+    EXPECT_NE(std::string(error.what()).find(file), std::string::npos) << "it names the file";
+    return error;
 }
 
 void expect_bad(const std::string &content, int line, const std::string &complaint)
 {
     const ScratchFile file(content);
-    const Problem problem = problem_with(file.path());
-    EXPECT_EQ(problem.fault, DeviceFault::bad_file);
-    EXPECT_NE(problem.message.find("line " + std::to_string(line) + ":"), std::string::npos) << problem.message;
-    EXPECT_NE(problem.message.find(complaint), std::string::npos) << problem.message;
+    const DeviceError problem = problem_with(file.path());
+    EXPECT_EQ(problem.fault(), DeviceFault::bad_file);
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "line " + std::to_string(line) + ":", problem.what());
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, complaint, problem.what());
 }
 
 TEST(Recording, ReadsPlainTrajectoriesOfTum)
@@ -163,26 +150,19 @@ TEST(Recording, RefusesMoreTicksThanAreAskedFor)
 {
     const ScratchFile file("0 1 2 3 0 0 0 1\n# a comment\n1 1 2 3 0 0 0 1\n2 1 2 3 0 0 0 1\n");
     EXPECT_EQ(read_recording(file.path(), 3).ticks.size(), 3u);
-    try
-    {
-        read_recording(file.path(), 2);
-        ADD_FAILURE() << "it has been read";
-    }
-    catch (const DeviceError &error)
-    {
-        EXPECT_EQ(error.fault(), DeviceFault::bad_file);
-        EXPECT_NE(std::string(error.what()).find("line 4: more than 2 ticks"), std::string::npos) << error.what();
-    }
+    const DeviceError problem = problem_with(file.path(), 2);
+    EXPECT_EQ(problem.fault(), DeviceFault::bad_file);
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "line 4: more than 2 ticks", problem.what());
 }
 
 TEST(Recording, SaysWhyItCannotOpenAFile)
 {
-    EXPECT_EQ(problem_with("/no/such/folder/run.txt").fault, DeviceFault::missing_file);
-    EXPECT_EQ(problem_with(testing::TempDir()).fault, DeviceFault::bad_file);
+    EXPECT_EQ(problem_with("/no/such/folder/run.txt").fault(), DeviceFault::missing_file);
+    EXPECT_EQ(problem_with(testing::TempDir()).fault(), DeviceFault::bad_file);
     const ScratchFile locked("0 1 2 3 0 0 0 1\n");
     ASSERT_EQ(chmod(locked.path().c_str(), 0), 0);
     const Unprivileged unprivileged;
-    EXPECT_EQ(problem_with(locked.path()).fault, DeviceFault::permission_denied);
+    EXPECT_EQ(problem_with(locked.path()).fault(), DeviceFault::permission_denied);
 }
 
 TEST(ForceError, IsZeroForEqualForces)

@@ -2,6 +2,7 @@
 
 #include "ode_predictive_space/haptics/virtual_device.h"
 #include "tests/haptics/support/constants.h"
+#include "tests/support/error_of.h"
 #include "tests/support/scratch.h"
 
 #include <cmath>
@@ -227,15 +228,7 @@ TEST(ReplayDevice, OneTickIsAHandThatRests)
 TEST(ReplayDevice, OpenSaysWhatIsWrongWithTheFile)
 {
     ReplayDevice missing("/no/such/file.txt");
-    try
-    {
-        missing.open();
-        ADD_FAILURE() << "there is no such file";
-    }
-    catch (const DeviceError &error)
-    {
-        EXPECT_EQ(error.fault(), DeviceFault::missing_file);
-    }
+    EXPECT_EQ(error_of<DeviceError>([&] { missing.open(); }).fault(), DeviceFault::missing_file);
     EXPECT_FALSE(missing.status().open);
     const ScratchFile file("0 1 2\n");
     ReplayDevice bad(file.path());

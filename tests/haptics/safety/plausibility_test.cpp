@@ -179,10 +179,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, AppearingObjectTest, testing::Bool(), [](const te
 TEST_P(AppearingObjectTest, ItsForceRisesSlowly)
 {
     ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
-    RenderSettings settings;
-    settings.law = make_law(GetParam(), Material{stiffness});
     ProbeWorld world;
-    HapticProbe probe(device, world.space, radius, settings);
+    HapticProbe probe(device, world.space, radius, with_law(make_law(GetParam(), Material{stiffness})));
     world.run(probe, 1000);
     world.add_box({0.2, 0.2, 0.02}, {0, 0, -0.009}); // its top is 1 mm above the middle of the probe
     Vector3 before = Vector3::Zero();

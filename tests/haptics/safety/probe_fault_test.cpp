@@ -130,24 +130,6 @@ TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedFirstIsTold)
     }
 }
 
-TEST_F(ProbeFaultTest, AGeomOfTheProgramIsLeftAsItWas)
-{
-    const dGeomID sphere = dCreateSphere(world_.space, radius);
-    const int geoms = dSpaceGetNumGeoms(world_.space);
-    {
-        const HapticProbe probe(device_, sphere);
-        EXPECT_EQ(probe.geom(), sphere);
-    }
-    EXPECT_EQ(dSpaceGetNumGeoms(world_.space), geoms);
-    EXPECT_EQ(dGeomGetBody(sphere), nullptr);
-    const dGeomID in_no_space = dCreateSphere(nullptr, radius);
-    {
-        const HapticProbe probe(device_, in_no_space);
-        EXPECT_EQ(probe.geom(), in_no_space);
-    }
-    dGeomDestroy(in_no_space);
-}
-
 TEST_F(ProbeFaultTest, ASpaceThatIsDestroyedJustBeforeItsProbeIsToldOfAtTheEnd)
 {
     NoticeList notices;

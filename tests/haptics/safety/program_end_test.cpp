@@ -67,12 +67,6 @@ const char *name_of(Place place)
     return names[static_cast<std::size_t>(place)];
 }
 
-const char *name_of(Way way)
-{
-    constexpr const char *names[] = {"Exit", "QuickExit", "Terminate", "Exception", "Abort"};
-    return names[static_cast<std::size_t>(way)];
-}
-
 /// A device or a callback may throw anything, not only standard exceptions.
 struct Trouble
 {};
@@ -191,11 +185,7 @@ private:
     void run_loop(HapticProbe &probe, bool decoupled)
     {
         HapticLoop loop(probe, simulated(clock_, 20, decoupled));
-        loop.run({[&] { world_.collide(probe); },
-                  [&](double dt) {
-                      world_.step(dt);
-                      at(Place::advance);
-                  }});
+        loop.run(world_.work(probe, [this](double) { at(Place::advance); }));
     }
 
     SharedForce &force_;
@@ -238,7 +228,7 @@ TEST_P(ProgramEndTest, LeavesNoForceAndAMessage)
     {
         if (in_device && way == Way::exception)
             continue; // no end of a program: see WhatADeviceThrowsIsADevicesFaultWhateverItIs
-        SCOPED_TRACE(name_of(way));
+        SCOPED_TRACE(static_cast<int>(way));
         const ProgramEnd end = end_in(run, place, [way] { end_by(way); });
         if (way == Way::exit || way == Way::quick_exit)
         {

@@ -1,4 +1,4 @@
-// Control of the stand-in for OpenHaptics' HD library. Tests find the functions in the loaded library by name.
+// Control of the stand-in for OpenHaptics' HD library.
 
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_H
@@ -14,42 +14,47 @@ struct FakeHdPose
     int buttons;
 };
 
-extern "C" {
-/// Restores the state after loading: 1000 Hz, an arm at rest at the origin, calibrated, no errors. No scheduler may be running.
-void fake_hd_reset();
+struct FakeHd
+{
+    /// Restores the state after loading: 1000 Hz, an arm at rest at the origin, calibrated, no errors. No scheduler may be
+    /// running.
+    void (*reset)();
 
-/// Sets the arm's pose at the time of a frame, in s since the scheduler's start. The servo thread calls `motion`.
-void fake_hd_set_motion(void (*motion)(double seconds, FakeHdPose *pose));
+    /// Sets the arm's pose at the time of a frame, in s since the scheduler's start. The servo thread calls `motion`.
+    void (*set_motion)(void (*motion)(double seconds, FakeHdPose *pose));
 
-/// @param rate Hz, > 0; of the servo thread. @param told the rate that the library reports; 0: none.
-void fake_hd_set_rate(double rate, int told);
+    /// @param rate Hz, > 0; of the servo thread. @param told the rate that the library reports; 0: none.
+    void (*set_rate)(double rate, int told);
 
-/// Sets the answers of hdCheckCalibration() before and after hdUpdateCalibration().
-void fake_hd_set_calibration(std::uint32_t answer, std::uint32_t answer_after_update);
+    /// Sets the answers of hdCheckCalibration() before and after hdUpdateCalibration().
+    void (*set_calibration)(std::uint32_t answer, std::uint32_t answer_after_update);
 
-/// Lets the next `times` calls of a function, such as "hdInitDevice", put this error on the stack; -1: all calls.
-void fake_hd_fail(const char *function, std::uint32_t code, int internal_code, int times);
+    /// Lets the next `times` calls of a function, such as "hdInitDevice", put this error on the stack; -1: all calls.
+    void (*fail)(const char *function, std::uint32_t code, int internal_code, int times);
 
-/// Pauses the servo thread after its current frame, or from the start if no scheduler runs yet.
-void fake_hd_pause();
+    /// Pauses the servo thread after its current frame, or from the start if no scheduler runs yet.
+    void (*pause)();
 
-/// Runs frames of a paused servo thread, and returns when they are done.
-void fake_hd_step(int frames);
+    /// Runs frames of a paused servo thread, and returns when they are done.
+    void (*step)(int frames);
 
-void fake_hd_resume();
+    void (*resume)();
 
-std::uint64_t fake_hd_frames();
+    std::uint64_t (*frames)();
 
-/// N; the force of the motors: the last one of a frame, even if no more frames follow, while the force output is on.
-void fake_hd_playing(double force[3]);
+    /// N; the force of the motors: the last one of a frame, even if no more frames follow, while the force output is on.
+    void (*get_playing)(double force[3]);
 
-/// N; of the motors at the scheduler's last stop. @return the number of successive frames with zero force before that.
-std::uint64_t fake_hd_playing_at_stop(double force[3]);
+    /// N; of the motors at the scheduler's last stop. @return the number of successive frames with zero force before that.
+    std::uint64_t (*get_playing_at_stop)(double force[3]);
 
-/// The functions called since the reset, in order, each followed by a blank. Those of frames and errors are left out.
-const char *fake_hd_calls();
+    /// The functions called since the reset, in order, each followed by a blank. Those of frames and errors are left out.
+    const char *(*get_calls)();
 
-int fake_hd_is_enabled(std::uint32_t option);
-}
+    bool (*is_enabled)(std::uint32_t option);
+};
+
+/// Tests find this function in the loaded library by name.
+extern "C" const FakeHd *fake_hd_control();
 
 #endif

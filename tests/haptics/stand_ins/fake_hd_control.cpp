@@ -2,51 +2,50 @@
 
 #include <algorithm>
 
-using namespace fake_hd;
-
-#pragma GCC visibility push(default)
-
-extern "C" {
-void fake_hd_reset()
+namespace fake_hd
+{
+namespace
+{
+void reset()
 {
     const std::lock_guard<std::mutex> lock(mutex);
     state = State();
 }
 
-void fake_hd_set_motion(void (*motion)(double, FakeHdPose *))
+void set_motion(void (*motion)(double, FakeHdPose *))
 {
     const std::lock_guard<std::mutex> lock(mutex);
     state.motion = motion;
 }
 
-void fake_hd_set_rate(double rate, int told)
+void set_rate(double rate, int told)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     state.rate = rate;
     state.told_rate = told;
 }
 
-void fake_hd_set_calibration(std::uint32_t answer, std::uint32_t answer_after_update)
+void set_calibration(std::uint32_t answer, std::uint32_t answer_after_update)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     state.calibration = answer;
     state.calibration_after_update = answer_after_update;
 }
 
-void fake_hd_fail(const char *function, std::uint32_t code, int internal_code, int times)
+void fail(const char *function, std::uint32_t code, int internal_code, int times)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     state.failures[function] = {{code, internal_code, device_handle}, times};
 }
 
-void fake_hd_pause()
+void pause()
 {
     std::unique_lock<std::mutex> lock(mutex);
     state.is_paused = true;
     changed.wait(lock, [] { return !state.is_running || state.is_still; });
 }
 
-void fake_hd_step(int frames)
+void step(int frames)
 {
     std::unique_lock<std::mutex> lock(mutex);
     state.steps = frames;
@@ -54,34 +53,34 @@ void fake_hd_step(int frames)
     changed.wait(lock, [] { return state.steps == 0; });
 }
 
-void fake_hd_resume()
+void resume()
 {
     const std::lock_guard<std::mutex> lock(mutex);
     state.is_paused = false;
     changed.notify_all();
 }
 
-std::uint64_t fake_hd_frames()
+std::uint64_t frames()
 {
     const std::lock_guard<std::mutex> lock(mutex);
     return state.frames;
 }
 
-void fake_hd_playing(double force[3])
+void get_playing(double force[3])
 {
     const std::lock_guard<std::mutex> lock(mutex);
     const Force playing = state.playing();
     std::copy(playing.begin(), playing.end(), force);
 }
 
-std::uint64_t fake_hd_playing_at_stop(double force[3])
+std::uint64_t get_playing_at_stop(double force[3])
 {
     const std::lock_guard<std::mutex> lock(mutex);
     std::copy(state.force_at_stop.begin(), state.force_at_stop.end(), force);
     return state.frames_without_force_at_stop;
 }
 
-const char *fake_hd_calls()
+const char *get_calls()
 {
     static std::string calls;
     const std::lock_guard<std::mutex> lock(mutex);
@@ -89,11 +88,18 @@ const char *fake_hd_calls()
     return calls.c_str();
 }
 
-int fake_hd_is_enabled(std::uint32_t option)
+bool is_enabled(std::uint32_t option)
 {
     const std::lock_guard<std::mutex> lock(mutex);
-    return state.enabled.count(option) != 0 ? 1 : 0;
-}
+    return state.enabled.count(option) != 0;
 }
 
-#pragma GCC visibility pop
+const FakeHd control = {reset,  set_motion, set_rate,    set_calibration,     fail,      pause,     step,
+                        resume, frames,     get_playing, get_playing_at_stop, get_calls, is_enabled};
+} // namespace
+} // namespace fake_hd
+
+extern "C" __attribute__((visibility("default"))) const FakeHd *fake_hd_control()
+{
+    return &fake_hd::control;
+}

@@ -10,77 +10,48 @@
 #include <stdexcept>
 #include <string>
 
-class FakeHdControl
+class FakeHdControl : public FakeHd
 {
 public:
-    FakeHdControl() : handle_(dlopen(FAKE_HD, RTLD_NOW | RTLD_LOCAL))
-    {
-        if (handle_ == nullptr)
-            throw std::runtime_error(dlerror());
-        find("fake_hd_set_motion", set_motion);
-        find("fake_hd_set_rate", set_rate);
-        find("fake_hd_set_calibration", set_calibration);
-        find("fake_hd_fail", fail);
-        find("fake_hd_pause", pause);
-        find("fake_hd_step", step);
-        find("fake_hd_resume", resume);
-        find("fake_hd_frames", frames);
-        find("fake_hd_is_enabled", is_enabled);
-        find("fake_hd_playing", playing_);
-        find("fake_hd_playing_at_stop", playing_at_stop_);
-        find("fake_hd_calls", calls_);
-        void (*reset)() = nullptr;
-        find("fake_hd_reset", reset);
-        reset();
-    }
+    FakeHdControl() : FakeHdControl(dlopen(FAKE_HD, RTLD_NOW | RTLD_LOCAL)) {}
     ~FakeHdControl() { dlclose(handle_); }
     FakeHdControl(const FakeHdControl &) = delete;
     FakeHdControl &operator=(const FakeHdControl &) = delete;
 
-    decltype(&fake_hd_set_motion) set_motion = nullptr;
-    decltype(&fake_hd_set_rate) set_rate = nullptr;
-    decltype(&fake_hd_set_calibration) set_calibration = nullptr;
-    decltype(&fake_hd_fail) fail = nullptr;
-    decltype(&fake_hd_pause) pause = nullptr;
-    decltype(&fake_hd_step) step = nullptr;
-    decltype(&fake_hd_resume) resume = nullptr;
-    decltype(&fake_hd_frames) frames = nullptr;
-    decltype(&fake_hd_is_enabled) is_enabled = nullptr;
-
     Eigen::Vector3d playing() const
     {
         Eigen::Vector3d force;
-        playing_(force.data());
+        get_playing(force.data());
         return force;
     }
 
     Eigen::Vector3d playing_at_stop() const
     {
         Eigen::Vector3d force;
-        playing_at_stop_(force.data());
+        get_playing_at_stop(force.data());
         return force;
     }
 
     std::uint64_t frames_without_force_at_stop() const
     {
         double force[3];
-        return playing_at_stop_(force);
+        return get_playing_at_stop(force);
     }
 
-    std::string calls() const { return calls_(); }
+    std::string calls() const { return get_calls(); }
 
 private:
-    template <typename Function> void find(const char *name, Function *&function)
+    explicit FakeHdControl(void *handle) : FakeHd(control_in(handle)), handle_(handle) { reset(); }
+
+    static const FakeHd &control_in(void *handle)
     {
-        function = reinterpret_cast<Function *>(dlsym(handle_, name));
-        if (function == nullptr)
-            throw std::runtime_error(name);
+        void *control = handle != nullptr ? dlsym(handle, "fake_hd_control") : nullptr;
+        if (control == nullptr)
+            throw std::runtime_error(dlerror());
+        return *reinterpret_cast<decltype(&fake_hd_control)>(control)();
     }
 
     void *handle_;
-    decltype(&fake_hd_playing) playing_ = nullptr;
-    decltype(&fake_hd_playing_at_stop) playing_at_stop_ = nullptr;
-    decltype(&fake_hd_calls) calls_ = nullptr;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_PROBE_WORLD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_SUPPORT_PROBE_WORLD_H
 
+#include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/probe.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
@@ -66,14 +67,17 @@ inline std::shared_ptr<ForceLaw> make_law(bool by_proxy, const Material &materia
     return std::make_shared<PenaltyLaw>(material);
 }
 
-inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
+inline RenderSettings with_law(std::shared_ptr<ForceLaw> law, NoticeSink sink = {})
 {
-    Material properties;
-    properties.stiffness = stiffness;
     RenderSettings settings;
-    settings.law = std::make_shared<PenaltyLaw>(properties);
+    settings.law = std::move(law);
     settings.notice = std::move(sink);
     return settings;
+}
+
+inline RenderSettings with_stiffness(double stiffness, NoticeSink sink = {})
+{
+    return with_law(std::make_shared<PenaltyLaw>(Material{stiffness}), std::move(sink));
 }
 
 class ProbeWorld
@@ -126,8 +130,19 @@ public:
 
     void step(double dt)
     {
-        dWorldStep(world, dt);
+        step_world(world, dt);
         dJointGroupEmpty(contacts_);
+    }
+
+    /// The work of a loop. @param after called at the end of each step, with its length; may be empty.
+    SceneWork work(HapticProbe &haptic_probe, const std::function<void(double dt)> &after = {})
+    {
+        return {[this, &haptic_probe] { collide(haptic_probe); },
+                [this, after](double dt) {
+                    step(dt);
+                    if (after)
+                        after(dt);
+                }};
     }
 
     /// Runs ticks without a loop of the library.
@@ -142,8 +157,9 @@ public:
         }
     }
 
-    bool swap = false;                             ///< passes each pair in reverse order
-    std::function<void(dGeomID, dGeomID)> on_pair; ///< called for each pair of the near callback; may be empty
+    decltype(&dWorldStep) step_world = &dWorldStep; ///< or &dWorldQuickStep
+    bool swap = false;                              ///< passes each pair in reverse order
+    std::function<void(dGeomID, dGeomID)> on_pair;  ///< called for each pair of the near callback; may be empty
     const dWorldID world;
     const dSpaceID space;
 
@@ -163,11 +179,13 @@ private:
         self.add_contacts(first, second);
     }
 
+    /// Bodies that a joint connects do not collide.
     void add_contacts(dGeomID first, dGeomID second)
     {
         const dBodyID one = dGeomGetBody(first);
         const dBodyID other = dGeomGetBody(second);
-        if (one == nullptr && other == nullptr)
+        if ((one == nullptr && other == nullptr) ||
+            (one != nullptr && other != nullptr && dAreConnectedExcluding(one, other, dJointTypeContact) != 0))
             return;
         dContact contacts[8] = {};
         const int count = dCollide(first, second, 8, &contacts[0].geom, sizeof(dContact));

@@ -110,6 +110,18 @@ public:
         return force;
     }
 
+    /// N s; on the hand until now.
+    Vector3 impulse() const
+    {
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t i = 0; i < writes_.size(); ++i)
+        {
+            const double until = i + 1 < writes_.size() ? writes_[i + 1].time : clock_.now();
+            sum += (until - writes_[i].time) * writes_[i].wrench.force;
+        }
+        return sum;
+    }
+
     bool was_quiet(double from, double to) const
     {
         if (!force_at(from).isZero(0))

@@ -1,14 +1,43 @@
 #!/usr/bin/env bash
-# Checks which packages each command of `./run` installs and which targets it builds: no games for the tests, no tests for the
-# demo, the promise tested first; and that it names the packages and asks before.
-# Usage: check_run_needs.sh SOURCE_DIR
+# Checks `./run` in a copy, with stand-ins for its tools, which record their calls, print a line and do nothing:
+# - which packages each command installs and which targets it builds: no games for the tests, no tests for the demo, the promise
+#   tested first; and that it names the packages and asks before;
+# - that it refuses command lines that it does not understand: exit code 2, one line, and nothing is installed or built for them.
+# Usage: check_run.sh SOURCE_DIR
 
 set -uo pipefail
 
-# shellcheck source=run_without_doing.sh
-. "$(dirname "${BASH_SOURCE[0]}")/run_without_doing.sh"
-run_without_doing "$1"
+source=$1
 wrong=0
+
+work=$(mktemp --directory)
+trap 'rm -rf "$work"' EXIT
+copy=$work/copy
+calls=$work/calls
+mkdir -p "$copy/ode_predictive_space/cmake" "$copy/tests" "$work/tools"
+cp -r "$source"/{run,dev} "$copy/"
+cp "$source/ode_predictive_space/cmake/ode_source.sh" "$copy/ode_predictive_space/cmake/"
+cp -r "$source"/tests/{benchmarks,clients,mutations,patched_ode,variants} "$copy/tests/"
+mkdir "$copy/packaging"
+printf '#!/bin/sh\necho "$0 $*" >>"%s"\n' "$calls" >"$copy/packaging/make_debian_packages.sh"
+chmod +x "$copy/packaging/make_debian_packages.sh"
+for tool in apt-get apt-cache cmake ctest sudo c++ ninja dpkg-query pkg-config; do
+    cat >"$work/tools/$tool" <<TOOL
+#!/bin/sh
+case $tool in
+sudo) exec "\$@" ;;
+dpkg-query) [ "\$2" = '--showformat=\${source:Package}=\${source:Version}' ]; exit ;;
+pkg-config) echo 0.16.2; exit ;;
+apt-cache) exit ;;
+esac
+echo "$tool \$*" >>"$calls"
+echo "$tool is at work"
+TOOL
+    chmod +x "$work/tools/$tool"
+done
+PATH=$work/tools:$PATH
+unset ODE_SOURCE_DIR
+: >"$calls"
 
 # calls_of <arguments>: sets done_by to the calls that `./run` makes.
 calls_of() {
@@ -26,6 +55,48 @@ complain() {
 has() { grep --quiet --extended-regexp -- "$1" <<<"$done_by" || complain "nothing was called like '$1'"; }
 lacks() { ! grep --quiet --extended-regexp -- "$1" <<<"$done_by" || complain "this was called: '$1'"; }
 count() { [[ $(grep --count --extended-regexp -- "$2" <<<"$done_by") == "$1" ]] || complain "not $1 calls like '$2'"; }
+
+# refuses <arguments>: exit code 2 and one line, and nothing is called.
+refuses() {
+    local code
+    command=$*
+    : >"$calls"
+    done_by=$("$copy/run" "$@" 2>&1)
+    code=$?
+    if ((code != 2)) || [[ $done_by == *$'\n'* ]]; then
+        complain "exit code $code, or several lines"
+    fi
+    [[ ! -s $calls ]] || complain "this was called: $(<"$calls")"
+}
+
+refuses nonsense
+refuses clients
+refuses dev nonsense
+refuses test --preset
+refuses bench --ode
+refuses bench --ode newest
+refuses dev fuzz never
+refuses dev variants msvc
+refuses dev plots cost.svg
+refuses format --all
+refuses dev tidy first
+
+# explains <command...>: its help needs no installation and no build.
+explains() {
+    command="$* --help"
+    : >"$calls"
+    done_by=$("$copy/run" "$@" --help 2>&1) || complain 'this fails'
+    [[ -n $done_by ]] || complain 'this says nothing'
+    [[ ! -s $calls ]] || complain "this was called: $(<"$calls")"
+}
+
+# The demo prints its help itself.
+while read -r command subcommand _; do
+    [[ $command == dev ]] || subcommand=
+    [[ $command == demo ]] || explains "$command" $subcommand
+done < <("$copy/run" help | grep -E '^  [a-z]')
+command='bench --help' done_by=$("$copy/run" bench --help)
+[[ $done_by == "$(<"$source/tests/benchmarks/help.txt")" ]] || complain 'this is not its help'
 
 games='mokomaze|mu-cade|stormbaancoureur|libompl|dartpy|pyode'
 
