@@ -471,7 +471,7 @@ def shape_faults():
         "margin_does_not_grow_with_slivers", "shapes", test,
         "if (!beside_half_space)\n        of_sizes *= first.sliver_factor * second.sliver_factor;", "(void)beside_half_space;",
         (("shape_contract", "ShapeSlivers.*"),))
-    terrain = BROADPHASE + "shape/terrain_gap.cpp"
+    terrain = BROADPHASE + "shape/surface_gap.cpp"
     heightfields = (("colliders", "*Heightfields*"),)
     yield Fault(
         "old_box_of_a_mesh_ignored", "shapes", SOURCES + "space/geom_shape.cpp",

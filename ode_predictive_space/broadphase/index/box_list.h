@@ -55,7 +55,6 @@ public:
 
     bool empty() const { return proxies_.empty(); }
     std::size_t size() const { return proxies_.size(); }
-    SweptProxy operator[](std::size_t place) const { return {proxies_[place], box(place)}; }
 
     /// Calls visit(proxy) for each object whose box the probe overlaps; see EnvelopeTree::walk().
     template <typename Probe, typename Visit> void walk(const Probe &probe, Visit visit) const

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/broadphase/near/shape_test.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "ode_predictive_space/broadphase/shape/gap.h"

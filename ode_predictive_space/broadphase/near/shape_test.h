@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SHAPE_TEST_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_NEAR_SHAPE_TEST_H
 
-#include <algorithm>
 #include <cstdint>
 
 #include "ode_predictive_space/broadphase/near/gap_budget.h"

@@ -8,10 +8,7 @@
 
 namespace ode_predictive_space
 {
-namespace
-{
 constexpr double rounds_up = 1 + 32 * std::numeric_limits<double>::epsilon();
-} // namespace
 
 void MeasuredShapes::start(std::size_t count)
 {

@@ -3,7 +3,6 @@
 #ifndef ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_CONVEX_SHAPE_H
 #define ODE_PREDICTIVE_SPACE_BROADPHASE_SHAPE_CONVEX_SHAPE_H
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -59,11 +58,7 @@ struct ConvexShape : Pose
     }
 
     /// The triangles of a mesh or the heights of a heightfield; null for other shapes.
-    const std::shared_ptr<Surface> &surface() const
-    {
-        static const std::shared_ptr<Surface> none;
-        return hull ? hull->surface : none;
-    }
+    Surface *surface() const { return hull ? hull->surface.get() : nullptr; }
 
     bool known() const { return kind != ShapeKind::unknown; }
 
