@@ -68,11 +68,6 @@ struct TightBox
             min(outer, Float4::all(std::numeric_limits<float>::max())); // infinity - infinity would be NaN
         return {centre - finite, centre + finite};
     }
-
-    static TightBox of(const FloatBox &box)
-    {
-        return {Float4(box.low[0], box.low[1], box.low[2], 0), Float4(box.high[0], box.high[1], box.high[2], 0)};
-    }
 };
 
 /// False for NaN, too.
@@ -185,8 +180,9 @@ public:
     {
         state_ &= ~doubt_bit;
         const FloatBox outer = FloatBox::around(box);
-        set_tight(TightBox::of(outer));
-        if (!is_finite(tight_lanes()))
+        const TightBox tight{Float4::load(outer.low), Float4::load(outer.low + 2).last_three()};
+        set_tight(tight);
+        if (!is_finite(tight))
             note_overflow(box, outer);
     }
     void hide() { set_tight(TightBox{Float4::all(-infinity), Float4::all(infinity)}); }
