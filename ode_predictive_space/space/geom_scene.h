@@ -36,6 +36,11 @@ inline bool enabled(const dxGeom *geom)
 {
     return enabled(geom->gflags);
 }
+inline bool both_enabled(const dxGeom *one, const dxGeom *other)
+{
+    const int off = (one->gflags ^ GEOM_ENABLE_TEST_VALUE) | (other->gflags ^ GEOM_ENABLE_TEST_VALUE);
+    return (off & GEOM_ENABLE_TEST_MASK) == 0;
+}
 
 /// The flags of a geom whose bounding box another thread may be computing. Without GEOM_AABB_BAD, the box can be read.
 inline int flags_beside_others(const dxGeom *geom)

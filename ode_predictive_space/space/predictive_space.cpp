@@ -373,7 +373,7 @@ inline void dxPredictiveSpace::call_back(dxGeom *one, dxGeom *other, void *data,
 {
     if (!bits_agree(one, other))
         return;
-    if (!enabled(one) || !enabled(other))
+    if (!both_enabled(one, other))
         return note_disabled(enabled(one) ? other : one);
     if (!wants_callback(one, other))
         return;
