@@ -111,7 +111,7 @@ TEST_F(Resting, PairsRestAfterAtMostTwoLooks)
     {
         run(long_enough / period * period + 1);
         world.place(0, world.object(0).centre + Vector3(0, phase % 2 ? 1e-5 : -1e-5, 0));
-        run(2 * period - 1);
+        run(2 * period);
         EXPECT_EQ(tested(), 0u) << phase;
     }
 }

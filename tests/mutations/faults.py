@@ -320,12 +320,13 @@ def near_faults():
     yield Fault("lost_when_disturbed", "near", near, "            active.push_back(pair);\n", "            (void)pair;\n", sets)
     numbers = (("broadphase", "UpdateNumber*:Resting*"),)
     yield Fault("rests_an_update_early", "near", tick, "(clock_.update - 1) & Place::last_update", "clock_.update & Place::last_update", numbers)
-    yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", numbers)
+    yield Fault("rests_an_update_late", "near", tick, "(clock_.update - 1) & Place::last_update", "(clock_.update - 2) & Place::last_update", sets)
     yield Fault("old_numbers_taken_for_new", "near", tick, "clock_.update % half_of_all == 0", "half_of_all == 0", numbers)
     yield Fault("old_numbers_taken_for_later", "near", tick, "clock_.update % half_of_all == 0", "clock_.update % (2 * half_of_all) == 0", numbers)
     yield Fault("a_question_leaves_a_number_out", "near", tick, "    interrupted_ = false; // not finish(): the update number must not advance\n", "    finish();\n", numbers)
     yield Fault(
-        "watch_that_is_no_number", "near", place, "capsule = 5, ///< the tight box of a capsule", "capsule = 3, ///< the tight box of a capsule", (("broadphase", "Place.NoUpdateNumber*"),))
+        "update_number_that_is_no_number", "near", place, "last_update = ~UpdateNumber{0} >> 6;", "last_update = ~UpdateNumber{0} >> 5;",
+        (("broadphase", "Place.NoUpdateNumber*"),))
     yield Fault(
         "times_beyond_the_second_forecast", "near", tick, "std::min(first.ticks, second.ticks);\n    const double duration",
         "first.ticks;\n    const double duration", (("broadphase", "Broadphase.Times*"),))
