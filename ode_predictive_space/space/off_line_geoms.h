@@ -21,6 +21,8 @@ public:
 
     void note_change(ProxyId id)
     {
+        if (unknown_.contains(id))
+            return;
         unknown_.insert(id);
         known_.store(false, std::memory_order_release);
     }

@@ -42,7 +42,7 @@ void MeasuredShapes::forget(ProxyId id)
 void MeasuredShapes::keep_only(const IdSet &wanted)
 {
     for (std::size_t id = 0; id < shapes_.size(); ++id)
-        if (!wanted.contains(static_cast<ProxyId>(id)))
+        if (shapes_[id] && !wanted.contains(static_cast<ProxyId>(id)))
             forget(static_cast<ProxyId>(id));
 }
 
