@@ -16,9 +16,9 @@
 /// to predict, which then never ends. While it predicts, next_ex of each geom holds the proxy number + 1; before, it is null.
 struct dxPredictiveSpace : public dxSpace
 {
-    /// First, where dHashSpaceGetLevels() and dHashSpaceSetLevels(), the only readers, expect them: directly after the members
-    /// of dxSpace. The values are those of a new hash space.
-    int global_minlevel = -3, global_maxlevel = 10;
+    /// The least and the greatest level of a new hash space. dHashSpaceGetLevels() and dHashSpaceSetLevels() expect them right
+    /// after the members of dxSpace.
+    int hash_levels[2] = {-3, 10};
 
     explicit dxPredictiveSpace(dxSpace *parent);
     ~dxPredictiveSpace() override;
