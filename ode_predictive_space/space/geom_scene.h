@@ -36,7 +36,7 @@ inline bool enabled(const dxGeom *geom)
 {
     return enabled(geom->gflags);
 }
-/// Without a branch, as it is asked for each pair of the near set (floor 500: 0.9 %).
+/// This runs once per reported pair, so it has no branch, which saves 0.9 % in floor 500.
 inline bool both_enabled(const dxGeom *one, const dxGeom *other)
 {
     const int off = (one->gflags ^ GEOM_ENABLE_TEST_VALUE) | (other->gflags ^ GEOM_ENABLE_TEST_VALUE);

@@ -23,7 +23,8 @@ struct FakeHd
     /// Sets the arm's pose at the time of a frame, in s since the scheduler's start. The servo thread calls `motion`.
     void (*set_motion)(void (*motion)(double seconds, FakeHdPose *pose));
 
-    /// @param rate Hz, > 0; of the servo thread. @param told the rate that the library reports; 0: none.
+    /// @param rate the rate of the servo thread in Hz, > 0.
+    /// @param told the rate that the library reports; with 0 it reports none.
     void (*set_rate)(double rate, int told);
 
     /// Sets the answers of hdCheckCalibration() before and after hdUpdateCalibration().
