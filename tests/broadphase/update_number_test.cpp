@@ -154,23 +154,37 @@ public:
     }
 };
 
-TEST(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
+// Two balls whose bounding boxes overlap, and whose shapes decide.
+class UpdateNumberByShape : public testing::Test
 {
+protected:
+    UpdateNumberByShape()
+    {
+        world.broadphase.set_proximity_test(ProximityTest::shape);
+        world.add(ball({0, 0, 100}, 0.1, {0.0001, 0, 0}));
+        world.add(ball({0, 0, 0}, 0.1, {0, 0, 0}));
+        other = world.add(ball(apart, 0.1, {0, 0, 0}));
+        world.broadphase.set_role(other, Role::fixed_interactive);
+    }
+
+    Pairs tick()
+    {
+        world.advance();
+        return sorted_pairs(world.tick());
+    }
+
     const Pairs none, both = {{1, 2}};
-    const Vector3 apart(0.19, 0.19, 0), together(0.14, 0.14, 0);
+    const Vector3 apart = Vector3(0.19, 0.19, 0), together = Vector3(0.14, 0.14, 0);
+    WorldOfBalls world;
+    ProxyId other;
+};
+
+TEST_F(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
+{
     for (int ticks_between : {1, 200})
         for (UpdateNumber number = 4; number < 8; ++number)
         {
-            WorldOfBalls world;
-            world.broadphase.set_proximity_test(ProximityTest::shape);
-            world.add(ball({0, 0, 100}, 0.1, {0.0001, 0, 0}));
-            world.add(ball({0, 0, 0}, 0.1, {0, 0, 0}));
-            const ProxyId other = world.add(ball(apart, 0.1, {0, 0, 0}));
-            world.broadphase.set_role(other, Role::fixed_interactive); // makes shapes decide
-            const auto tick = [&] {
-                world.advance();
-                return sorted_pairs(world.tick());
-            };
+            world.place(other, apart);
             tick();
             world.broadphase.number_updates_from(number);
             world.place(other, apart + Vector3(1e-6, 0, 0));
@@ -183,6 +197,21 @@ TEST(UpdateNumberByShape, ShapesAreFollowedWhateverTheNumberOfTheirMove)
             world.place(other, together);
             ASSERT_EQ(tick(), both) << number;
         }
+}
+
+// No report lies between the two updates of the same number, because the program asks for nothing but forecasts in between.
+TEST_F(UpdateNumberByShape, ShapesAreMeasuredAnewWhenNumbersStartAgain)
+{
+    constexpr UpdateNumber half = count_of_numbers / 2;
+    for (UpdateNumber number : {UpdateNumber{0}, half})
+    {
+        world.broadphase.number_updates_from(number);
+        world.place(other, apart);
+        ASSERT_EQ(tick(), none) << number;
+        world.broadphase.number_updates_from(number);
+        world.place(other, together);
+        ASSERT_EQ(tick(), both) << number;
+    }
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -379,7 +379,8 @@ def shape_faults():
     hull_data = (("shape_contract", "HullData.*"),)
     yield Fault(
         "shapes_kept_when_all_is_forgotten", "shapes", BROADPHASE + "broadphase.cpp",
-        "    if (shapes_.in_use())\n        shapes_.start(proxies_.size());\n    proxies_.members()", "    proxies_.members()", proximity)
+        "    if (shapes_.in_use())\n        shapes_.start(proxies_.size());\n    proxies_.members()", "    proxies_.members()",
+        (("broadphase", "UpdateNumberByShape.*"),))
     yield Fault(
         "vertices_taken_for_packed", "shapes", SOURCES + "surface/triangle_arrays.h", "(vertices, vertex_stride, index)",
         "(vertices, 3 * sizeof(Real), index)", contacts)
