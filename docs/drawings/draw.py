@@ -357,19 +357,20 @@ def draw_rooms(folder):
 
 # The middle of each room. The arrows are those of the table in CONTRIBUTING.md.
 ROOMS = {
-    "preload": (110, 362),
-    "demos/haptic": (380, 362),
-    "recording": (110, 294),
-    "demos/window": (585, 294),
-    "demos/runs": (380, 294),
-    "space": (110, 226),
-    "demos/worlds": (380, 226),
-    "demos/ode": (585, 226),
-    "broadphase": (110, 158),
-    "haptics": (380, 158),
-    "surface": (110, 90),
-    "include": (380, 90),
-    "prediction": (110, 22),
+    "preload": (95, 362),
+    "demos/haptic": (440, 362),
+    "recording": (95, 294),
+    "demos/window": (615, 294),
+    "demos/runs": (440, 294),
+    "space": (95, 226),
+    "demos/worlds": (440, 226),
+    "demos/ode": (615, 226),
+    "broadphase": (95, 158),
+    "ode": (265, 158),
+    "haptics": (440, 158),
+    "surface": (95, 90),
+    "include": (265, 90),
+    "prediction": (95, 22),
 }
 
 

@@ -6,14 +6,14 @@
 
 #include <pthread.h>
 
+#include "ode_predictive_space/ode/check.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/predictive_space.h"
 #include "ode_predictive_space/preload/monitor.h"
 #include "ode_predictive_space/preload/say.h"
 #include "ode_predictive_space/preload/settings.h"
 #include "ode_predictive_space/preload/substitute.h"
 #include "ode_predictive_space/recording/notices.h"
-#include "ode_predictive_space/space/ode_check.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::preload
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/internals.h"
 
 namespace ode_predictive_space::preload
 {

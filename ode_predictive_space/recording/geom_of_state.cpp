@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/recording/format.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::recording
 {

@@ -10,8 +10,8 @@
 
 #include <ode/odeconfig.h>
 
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/recording/fields.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::recording
 {

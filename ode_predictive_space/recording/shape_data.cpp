@@ -4,10 +4,10 @@
 #include <cstring>
 #include <tuple>
 
+#include "ode_predictive_space/ode/height_data.h"
+#include "ode_predictive_space/ode/internals.h"
+#include "ode_predictive_space/ode/mesh_data.h"
 #include "ode_predictive_space/recording/format.h"
-#include "ode_predictive_space/space/height_data.h"
-#include "ode_predictive_space/space/mesh_data.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::recording
 {

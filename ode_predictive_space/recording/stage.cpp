@@ -6,10 +6,10 @@
 
 #include <ode/ode.h>
 
+#include "ode_predictive_space/ode/height_data.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/recording/fields.h"
 #include "ode_predictive_space/recording/geom_of_state.h"
-#include "ode_predictive_space/space/height_data.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::recording
 {

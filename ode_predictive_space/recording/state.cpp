@@ -6,8 +6,8 @@
 #include <ode/matrix.h>
 #include <ode/odemath.h>
 
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/recording/format.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space::recording
 {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "ode_predictive_space/space/ode_check.h"
+#include "ode_predictive_space/ode/check.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 using namespace ode_predictive_space;

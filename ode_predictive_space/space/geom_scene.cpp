@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "ode_predictive_space/broadphase/base/prefetch.h"
+#include "ode_predictive_space/ode/pair_filter.h"
 #include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
-#include "ode_predictive_space/space/pair_filter.h"
 
 namespace ode_predictive_space
 {
@@ -184,14 +184,6 @@ Solid solid_of(const dxGeom *geom)
     default:
         return {};
     }
-}
-
-const dReal *valid_aabb(dxGeom *geom)
-{
-    if (IS_SPACE(geom))
-        static_cast<dxSpace *>(geom)->cleanGeoms();
-    compute_box_beside_others(geom);
-    return geom->aabb;
 }
 
 void GeomScene::prefetch_geom(ProxyId id) const

@@ -9,8 +9,8 @@
 #include "ode_predictive_space/broadphase/index/ray_probe.h"
 #include "ode_predictive_space/broadphase/objects/scene.h"
 #include "ode_predictive_space/broadphase/tuning.h"
+#include "ode_predictive_space/ode/geom_access.h"
 #include "ode_predictive_space/space/hull_store.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space
 {
@@ -19,49 +19,6 @@ double circumscribed_radius(const dxGeom *geom);
 
 /// Formula and sizes of the bounding box from the pose, as in ODE: spheres, boxes, capsules, in double precision cylinders.
 Solid solid_of(const dxGeom *geom);
-
-/// The sizes of a sphere, box, capsule or cylinder, which follow the members of dxGeom (ode_mismatch() checks this).
-static_assert(sizeof(dxBox) == sizeof(dxGeom) + sizeof(dVector3), "nothing is between them");
-inline const dReal *sizes_of(const dxGeom *geom)
-{
-    return reinterpret_cast<const dReal *>(geom + 1);
-}
-
-/// Is a geom with these flags enabled, and has it a size?
-inline bool enabled(int flags)
-{
-    return (flags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
-}
-inline bool enabled(const dxGeom *geom)
-{
-    return enabled(geom->gflags);
-}
-/// This runs once per reported pair, so it has no branch, which saves 0.9 % in floor 500.
-inline bool both_enabled(const dxGeom *one, const dxGeom *other)
-{
-    const int off = (one->gflags ^ GEOM_ENABLE_TEST_VALUE) | (other->gflags ^ GEOM_ENABLE_TEST_VALUE);
-    return (off & GEOM_ENABLE_TEST_MASK) == 0;
-}
-
-/// The flags of a geom whose bounding box another thread may be computing. Without GEOM_AABB_BAD, the box can be read.
-inline int flags_beside_others(const dxGeom *geom)
-{
-    return __atomic_load_n(&geom->gflags, __ATOMIC_ACQUIRE);
-}
-
-/// Computes a bad bounding box, and publishes the new flags to flags_beside_others(). At most one thread at a time per geom.
-inline void compute_box_beside_others(dxGeom *geom)
-{
-    if (!(geom->gflags & GEOM_AABB_BAD))
-        return;
-    if (geom->gflags & GEOM_POSR_BAD)
-        geom->computePosr();
-    geom->computeAABB();
-    __atomic_store_n(&geom->gflags, geom->gflags & ~(GEOM_POSR_BAD | GEOM_AABB_BAD), __ATOMIC_RELEASE);
-}
-
-/// The bounding box, computed if necessary, also of a space with moved geoms. At most one thread at a time per geom.
-const dReal *valid_aabb(dxGeom *geom);
 
 /// Can the geom be touched outside a sphere around its bounding box? ODE also makes contacts beside and below the edge of a
 /// heightfield, which a space or a transform may contain; user classes are unknown.
@@ -82,18 +39,6 @@ bool ray_may_touch(dxGeom *probe, const dxGeom *geom);
 
 /// The sphere test of proximity, without the boxes; true for pairs that only boxes can judge. @pre the boxes are valid.
 bool spheres_may_touch(const dxGeom *one, const dxGeom *other);
-
-/// Compares as ODE's collideAABBs(), so that touching boxes and NaN give the same result. @pre the boxes are valid.
-inline bool aabbs_overlap(const dxGeom *one, const dxGeom *other)
-{
-    const dReal *a = one->aabb, *b = other->aabb;
-    return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
-}
-
-inline Box to_box(const dReal aabb[6])
-{
-    return Box(Vector3(aabb[0], aabb[2], aabb[4]), Vector3(aabb[1], aabb[3], aabb[5]));
-}
 
 class GeomScene : public Scene
 {

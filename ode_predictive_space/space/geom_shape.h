@@ -4,8 +4,8 @@
 #define ODE_PREDICTIVE_SPACE_SPACE_GEOM_SHAPE_H
 
 #include "ode_predictive_space/broadphase/shape/convex_shape.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/space/hull_store.h"
-#include "ode_predictive_space/space/ode_internals.h"
 
 namespace ode_predictive_space
 {

@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "ode_predictive_space/broadphase/tuning.h"
+#include "ode_predictive_space/ode/height_data.h"
+#include "ode_predictive_space/ode/mesh_data.h"
 #include "ode_predictive_space/prediction/envelope.h"
 #include "ode_predictive_space/space/geom_scene.h"
-#include "ode_predictive_space/space/height_data.h"
-#include "ode_predictive_space/space/mesh_data.h"
 #include "ode_predictive_space/surface/triangle_tree.h"
 
 namespace ode_predictive_space

@@ -16,7 +16,7 @@
 
 #include "ode_predictive_space/broadphase/base/memory.h"
 #include "ode_predictive_space/broadphase/shape/vertex_hull.h"
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "ode_predictive_space/surface/triangle_arrays.h"
 
 namespace ode_predictive_space

@@ -3,9 +3,10 @@
 #include <array>
 #include <utility>
 
+#include "ode_predictive_space/broadphase/base/prefetch.h"
+#include "ode_predictive_space/ode/pair_filter.h"
 #include "ode_predictive_space/space/geom_shape.h"
 #include "ode_predictive_space/space/noticed_geom.h"
-#include "ode_predictive_space/space/pair_filter.h"
 
 using namespace ode_predictive_space;
 
@@ -16,6 +17,13 @@ namespace
 void listen_to(dxGeom *geom)
 {
     geom->gflags &= ~GEOM_DIRTY;
+}
+
+// What bits_agree() and both_enabled() read.
+void prefetch_filters(const dxGeom *geom)
+{
+    prefetch(&geom->gflags);
+    prefetch(&geom->category_bits);
 }
 } // namespace
 

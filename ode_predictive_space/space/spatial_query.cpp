@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "ode_predictive_space/broadphase/near/shape_test.h"
+#include "ode_predictive_space/ode/pair_filter.h"
 #include "ode_predictive_space/space/geom_shape.h"
-#include "ode_predictive_space/space/pair_filter.h"
 #include "ode_predictive_space/space/predictive_space.h"
 
 using namespace ode_predictive_space;

@@ -4,7 +4,7 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "tests/contract/support/scenario.h"
 
 namespace ode_predictive_space

@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = ("prediction", "broadphase", "space")  # for the others, single files are named
+ROOMS = ("prediction", "broadphase", "ode", "space")  # for the others, single files are named
 HEADING = "## The code in reading order"
 IS_FILE = re.compile(r"[a-z0-9_/]+\.(h|cpp|\*)")
 

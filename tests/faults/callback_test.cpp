@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "tests/faults/gas.h"
 
 namespace ode_predictive_space

@@ -12,7 +12,7 @@
 #include "collision_std.h"
 #define facts_of_these_headers facts_of_odes_headers
 #else
-#include "ode_predictive_space/space/ode_layout.h"
+#include "ode_predictive_space/ode/layout.h"
 #define facts_of_these_headers facts_of_our_header
 #endif
 

@@ -544,7 +544,7 @@ def shape_faults():
         (("colliders", "*Surfaces*"),))
     yield Fault(
         "capsule_beside_triangles_is_not_blunt", "shapes", surface,
-        "other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)\n", "false ? 0\n",
+        "other.blunt_beside & surface->group ? gap_between(*surface, other.blunt(), least)\n", "false ? Gap{}\n",
         (("colliders", "*Surfaces*"),))
     yield Fault(
         "triangle_in_the_box_of_its_middle", "shapes", SOURCES + "surface/triangle_tree.cpp",
@@ -585,7 +585,7 @@ def sweep_faults():
 def space_faults():
     space = SOURCES + "space/predictive_space.cpp"
     query = SOURCES + "space/spatial_query.cpp"
-    filters = SOURCES + "space/pair_filter.h"
+    filters = SOURCES + "ode/pair_filter.h"
     scene = SOURCES + "space/geom_scene.cpp"
     contract = lambda pattern: (("contract", pattern),)
     yield Fault(
@@ -610,7 +610,7 @@ def space_faults():
         "pose_not_computed_when_a_geom_leaves", "space", space, "    if (geom->offset_posr)\n        geom->recomputePosr();\n", "",
         contract("Offset.*"))
     yield Fault(
-        "bytes_with_a_sign", "shapes", SOURCES + "space/height_data.cpp", "element<unsigned char>(samples, index)",
+        "bytes_with_a_sign", "shapes", SOURCES + "ode/height_data.cpp", "element<unsigned char>(samples, index)",
         "element<char>(samples, index)", CONTACT_HISTORIES)
     yield Fault(
         "unknown_counters_not_written", "space", SOURCES + "space/c_api.cpp", "    std::memset(counters, 0, size);\n", "",
@@ -675,7 +675,7 @@ def space_faults():
         contract("*EveryPlaceableClass*:Notice.*") + (HISTORIES,))
     nests = contract("Contract.11_*")
     yield Fault(
-        "nested_spaces_not_cleaned", "space", scene,
+        "nested_spaces_not_cleaned", "space", SOURCES + "ode/geom_access.h",
         "if (IS_SPACE(geom))\n        static_cast<dxSpace *>(geom)->cleanGeoms();\n    compute_box_beside_others(geom);",
         "compute_box_beside_others(geom);", nests)
     yield Fault(

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/internals.h"
 #include "tests/contract/support/scenario.h"
 
 namespace ode_predictive_space

@@ -2,7 +2,7 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_BOXES_H
 
 #include "ode_predictive_space/broadphase/base/float_box.h"
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/internals.h"
 
 namespace ode_predictive_space::benchmarks
 {

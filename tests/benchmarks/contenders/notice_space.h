@@ -6,9 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "ode_predictive_space/space/geom_scene.h"
-#include "ode_predictive_space/space/ode_internals.h"
-#include "ode_predictive_space/space/pair_filter.h"
+#include "ode_predictive_space/ode/internals.h"
+#include "ode_predictive_space/ode/pair_filter.h"
 
 namespace ode_predictive_space::benchmarks
 {

@@ -1,7 +1,7 @@
 // Access to the vertices and triangles of a mesh, for which ODE has no function.
 
-#ifndef ODE_PREDICTIVE_SPACE_SPACE_MESH_DATA_H
-#define ODE_PREDICTIVE_SPACE_SPACE_MESH_DATA_H
+#ifndef ODE_PREDICTIVE_SPACE_ODE_MESH_DATA_H
+#define ODE_PREDICTIVE_SPACE_ODE_MESH_DATA_H
 
 #include <ode/collision.h>
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/space/mesh_data.h"
+#include "ode_predictive_space/ode/mesh_data.h"
 
 #include <array>
 

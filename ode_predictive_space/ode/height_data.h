@@ -1,7 +1,7 @@
 // Access to the samples, spacing and scale of a heightfield, for which ODE has no function.
 
-#ifndef ODE_PREDICTIVE_SPACE_SPACE_HEIGHT_DATA_H
-#define ODE_PREDICTIVE_SPACE_SPACE_HEIGHT_DATA_H
+#ifndef ODE_PREDICTIVE_SPACE_ODE_HEIGHT_DATA_H
+#define ODE_PREDICTIVE_SPACE_ODE_HEIGHT_DATA_H
 
 #include <ode/collision.h>
 #include <ode/contact.h>

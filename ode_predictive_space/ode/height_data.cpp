@@ -1,4 +1,4 @@
-#include "ode_predictive_space/space/height_data.h"
+#include "ode_predictive_space/ode/height_data.h"
 
 #include <limits>
 

@@ -1,21 +1,14 @@
 // ODE's conditions for a callback, other than the overlap of boxes.
 
-#ifndef ODE_PREDICTIVE_SPACE_SPACE_PAIR_FILTER_H
-#define ODE_PREDICTIVE_SPACE_SPACE_PAIR_FILTER_H
+#ifndef ODE_PREDICTIVE_SPACE_ODE_PAIR_FILTER_H
+#define ODE_PREDICTIVE_SPACE_ODE_PAIR_FILTER_H
 
 #include <algorithm>
 
-#include "ode_predictive_space/broadphase/base/prefetch.h"
-#include "ode_predictive_space/space/geom_scene.h"
+#include "ode_predictive_space/ode/geom_access.h"
 
 namespace ode_predictive_space
 {
-inline void prefetch_filters(const dxGeom *geom)
-{
-    prefetch(&geom->gflags);
-    prefetch(&geom->category_bits);
-}
-
 // ODE's own classes have no box test beyond the overlap of bounding boxes.
 [[gnu::noinline]] inline bool user_classes_agree(dxGeom *first, dxGeom *second)
 {

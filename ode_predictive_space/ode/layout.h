@@ -2,8 +2,8 @@
 // of dSpace must derive from dxSpace, which ODE declares only in its source. Layout (with unused members), calls and symbols
 // are those of ODE 0.15 to 0.16.6. layout_test compares them with ODE's source; ode_mismatch() checks the ODE in the process.
 
-#ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_LAYOUT_H
-#define ODE_PREDICTIVE_SPACE_SPACE_ODE_LAYOUT_H
+#ifndef ODE_PREDICTIVE_SPACE_ODE_LAYOUT_H
+#define ODE_PREDICTIVE_SPACE_ODE_LAYOUT_H
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-#include "ode_predictive_space/space/ode_check.h"
+#include "ode_predictive_space/ode/check.h"
 
 #include <algorithm>
 #include <set>
@@ -10,8 +10,7 @@
 #include <link.h>
 #endif
 
-#include "ode_predictive_space/space/geom_scene.h"
-#include "ode_predictive_space/space/ode_internals.h"
+#include "ode_predictive_space/ode/geom_access.h"
 
 namespace ode_predictive_space
 {

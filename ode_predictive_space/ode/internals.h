@@ -1,7 +1,7 @@
 // ODE's internal classes: those of ode_layout.h or, inside ODE (ODE_PREDICTIVE_SPACE_INSIDE_ODE), ODE's own headers.
 
-#ifndef ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
-#define ODE_PREDICTIVE_SPACE_SPACE_ODE_INTERNALS_H
+#ifndef ODE_PREDICTIVE_SPACE_ODE_INTERNALS_H
+#define ODE_PREDICTIVE_SPACE_ODE_INTERNALS_H
 
 #ifdef ODE_PREDICTIVE_SPACE_INSIDE_ODE
 // Inside ODE, the space is compiled with -fvisibility=hidden, because ODE exports every visible symbol, also ours and Eigen's.
@@ -22,8 +22,8 @@
 #include "collision_std.h"
 #pragma GCC visibility pop
 #else
+#include "ode_predictive_space/ode/layout.h"
 #include "ode_predictive_space/predictive_space.h"
-#include "ode_predictive_space/space/ode_layout.h"
 #endif
 
 namespace ode_predictive_space
