@@ -90,6 +90,19 @@ TEST_F(HullData, IsThatOfTheMeshDataThatWereSetAtRest)
     EXPECT_EQ(collide(space).size(), 1u);
 }
 
+// ODE sends no notice.
+TEST_F(HullData, IsThatOfMeshDataThatWereBuiltAnewAtRest)
+{
+    MeshArrays arrays(octahedron);
+    create_mesh(arrays);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    arrays.rebuild(cube);
+    EXPECT_EQ(collide(space).size(), 1u);
+    EXPECT_EQ(pairs_at_rest(), 1u);
+    arrays.rebuild(octahedron);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+}
+
 TEST_F(HullData, IsThatOfOtherMeshDataAtTheSamePlace)
 {
     auto arrays = std::make_unique<MeshArrays>(octahedron);
@@ -363,6 +376,8 @@ TEST_F(HullData, HasTheOldBoxOfItsOwnDataWhereOthersHaveTheSameArrays)
         const dTriMeshDataID built_after = build();
         const dGeomID other = dCreateTriMesh(space, built_after, nullptr, nullptr, nullptr);
         number_geom(other, 1002);
+        dGeomSetPosition(mesh, 0, world % 2 ? 100 : 0, 0); // the hull of either is made first
+        collide(space);
         for (int tick = 0; tick < 40; ++tick)
         {
             dGeomSetPosition(other, place(), place(), place());
