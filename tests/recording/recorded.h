@@ -23,11 +23,11 @@ public:
         : recorder_(std::make_unique<Recorder>(HistoryFile(file_.path(), false), limit, "a test"))
     {}
 
-    int collide(dSpaceID space)
+    int collide(dSpaceID space, const EventTimes *times = nullptr)
     {
         Call call{recorder_->begin_collide(space), 0};
         dSpaceCollide(space, &call, note);
-        call.event.end();
+        call.event.end(times);
         return call.pairs;
     }
 
