@@ -239,11 +239,15 @@ void dxPredictiveSpace::poll_moves()
 // The geom may have other data, even if their addresses are the same.
 void dxPredictiveSpace::note_change(ProxyId id)
 {
-    hulls_.outdate(geoms_[id]);
-    hulls_.release(id);
+    dxGeom *geom = geoms_[id];
+    if (has_data(geom))
+    {
+        hulls_.outdate(geom);
+        hulls_.release(id);
+    }
     broadphase_.mark_changed(id);
-    listen_to(geoms_[id]);
-    note_changed_line(geoms_[id]);
+    listen_to(geom);
+    note_changed_line(geom);
     access_.forget_catching_up();
 }
 
