@@ -47,6 +47,18 @@ TEST(ContactForecast, DeviationsAreThoseOfEachCoordinateAlongADiagonal)
     EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 10, 1e-6);
 }
 
+// 10 apart, at 2 per tick, braked by 0.16 per tick: 10 - 2 t + 0.08 t^2 = 0.
+TEST(ContactForecast, OfBallsThatSpeedUpOrBrakeIsThatOfTheirPaths)
+{
+    const ConvexShape left = ball({0, 0, 0}), right = ball({12, 0, 0});
+    const PredictedShape still{left, going(left, Vector3::Zero()), true, true};
+    PredictedShape comes{right, going(right, {-2, 0, 0}), false, true};
+    comes.envelope.path.acceleration = {0.16, 0, 0};
+    EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), (2 - std::sqrt(0.8)) / 0.16, 1e-6);
+    comes.envelope.path.acceleration = {-0.16, 0, 0};
+    EXPECT_NEAR(time_of_contact(comes, still, 0, for_long).value(), (std::sqrt(7.2) - 2) / 0.16, 1e-6);
+}
+
 TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
 {
     ConvexShape stick = ball({10, 0, 0});

@@ -121,7 +121,24 @@ TEST_F(GapCheckCost, BesideAMeshThatTurnsLooksAreGivenUp)
     EXPECT_LT(gap_checks(), ticks / 10u);
 }
 
-// As above, until the two touch and come to rest, in any state of the account.
+TEST_F(GapCheckCost, OfAMeshAreNotChargedToItsSuccessor)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    dGeomID mesh = create_mesh(cube);
+    create_ball();
+    for (int tick = 0; tick < 1000; ++tick)
+    {
+        turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
+        collide(space);
+    }
+    dGeomDestroy(mesh);
+    collide(space);
+    mesh = create_mesh(cube);
+    turn(mesh, REAL(0.1));
+    EXPECT_EQ(collide(space).size(), 0u) << "the shapes are apart";
+}
+
+// As the mesh that turns above, until the two touch and come to rest, in any state of the account.
 TEST_F(GapCheckCost, AGapThatHasClosedDoesNotCountAtRest)
 {
     const MeshArrays cube(Polyhedron::cube());

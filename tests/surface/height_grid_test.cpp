@@ -53,6 +53,16 @@ TEST(HeightGrids, AreBuiltInSlices)
     EXPECT_EQ(grid.build(10), 10u) << "nothing is left to do";
 }
 
+TEST(HeightGrids, TellTheLargestHeightAboveOrBelowZero)
+{
+    for (double sign : {1.0, -1.0})
+    {
+        HeightGrid grid({3, 3, 1, 1, false}, [&](int column, int) { return sign * (5 - column); });
+        grid.build(all_at_once);
+        EXPECT_EQ(grid.largest(), 5);
+    }
+}
+
 TEST(HeightGrids, TellHeightsThatAreNotFinite)
 {
     for (double one : {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity(), 1e300, 2.0})

@@ -53,8 +53,10 @@ protected:
             for (const Pair &met : unordered(collide(space)))
                 if (met == pair)
                     return answers;
-            if (tick >= from)
-                answers.push_back(ask(one, other));
+            if (tick < from)
+                continue;
+            answers.push_back(ask(one, other));
+            EXPECT_EQ(ask(one, other), answers.back()) << "asked again in tick " << tick;
         }
         ADD_FAILURE() << "they do not meet";
         return {};
