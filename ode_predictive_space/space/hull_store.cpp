@@ -72,9 +72,11 @@ void HullStore::outdate(dxGeom *geom)
 std::size_t HullStore::bytes() const
 {
     std::size_t bytes = 0;
-    for (const auto &[key, unused] : hulls_)
-        if (const std::shared_ptr<DataHull> hull = unused.lock())
-            bytes += sizeof key + sizeof unused + hull->bytes();
+    for (const auto &[key, known] : hulls_)
+    {
+        const std::shared_ptr<DataHull> hull = known.lock();
+        bytes += sizeof key + sizeof known + (hull ? hull->bytes() : 0);
+    }
     for (const auto &[id, own] : geoms_)
         bytes += sizeof id + sizeof own + (own.maker ? own.maker->bytes() : 0);
     return bytes;

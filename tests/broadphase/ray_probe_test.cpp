@@ -86,6 +86,17 @@ INSTANTIATE_TEST_SUITE_P(RayProbe, AnyRay,
                                          Region{"tiny", 0, 1e-12, 1e-12}, Region{"huge", 0, 1e14, 5e13}),
                          [](const auto &info) { return info.param.name; });
 
+TEST(RayProbe, MeetsSmallBoxesOnALongLineWhoseMiddleIsTheOrigin)
+{
+    Random random(6);
+    const Vector3 half = Vector3::Constant(1e-3);
+    for (int i = 0; i < 100000; ++i)
+    {
+        const Vector3 end = random.vector(5e6), point = random.uniform(-1, 1) * end;
+        ASSERT_TRUE(RayProbe(-end, end).overlaps(FloatBox::around(Box(point - half, point + half)))) << i;
+    }
+}
+
 TEST(RayProbe, TouchingIsMeeting)
 {
     const FloatBox box = {{0, 0, 0}, {1, 1, 1}};

@@ -193,6 +193,28 @@ TEST_F(HullData, ChangedInPlaceIsNoticedByTheSpacesAround)
         }
 }
 
+TEST_F(HullData, OfMeshesThatAreGoneTakeNoMemory)
+{
+    const auto bytes = [this] {
+        dPredictiveSpaceStats stats;
+        dPredictiveSpaceGetStats(space, &stats);
+        return stats.bytes;
+    };
+    std::vector<std::unique_ptr<MeshArrays>> all; // none has the place of another
+    const auto come_and_go = [&] {
+        for (int i = 0; i < 50; ++i)
+        {
+            all.push_back(std::make_unique<MeshArrays>(octahedron));
+            const dGeomID mesh = create_mesh(*all.back());
+            EXPECT_EQ(collide(space).size(), 0u);
+            dGeomDestroy(mesh);
+        }
+        return bytes();
+    };
+    const unsigned long first = come_and_go();
+    EXPECT_LE(come_and_go(), first);
+}
+
 TEST_F(HullData, OfAMeshThatIsNotFiniteIsNone)
 {
     Polyhedron wrong = octahedron;

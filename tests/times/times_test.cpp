@@ -299,6 +299,21 @@ TEST_F(Times, OfAGeomWithAnOffsetAreThoseOfItself)
 }
 
 // They have no position with a known motion.
+TEST_F(Times, OfASphereThatCirclesAroundItsBodyAreNeverLate)
+{
+    fill(20);
+    const dGeomID one = scene.sphere(0.1, 0, 0, 0), other = scene.sphere(0.1, 0, 1, 0);
+    const dBodyID body = scene.body(one, 0, 0, 0);
+    dGeomSetOffsetPosition(one, 1, 0, 0);
+    expect_honest(answers_until_they_meet(one, other, 0,
+                                          [&](int tick) {
+                                              dMatrix3 R;
+                                              dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.005) * static_cast<dReal>(tick));
+                                              dBodySetRotation(body, R);
+                                          }),
+                  REAL(0.4), 60);
+}
+
 TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
 {
     fill(20);
