@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -94,6 +95,31 @@ TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     EXPECT_EQ(std::filesystem::file_size(scratch.path()), 0u);
+}
+
+// The recorded program starts another one, and ends without closing the file.
+TEST(HistoryFile, IsNotKeptByAProgramThatTheRecordedOneStarted)
+{
+    const ScratchFile scratch;
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t recorded = fork();
+    if (recorded == 0)
+    {
+        const HistoryFile file(scratch.path(), false);
+        char name[] = "sleep", seconds[] = "60";
+        char *const arguments[] = {name, seconds, nullptr};
+        pid_t started = 0;
+        posix_spawnp(&started, name, nullptr, nullptr, arguments, environ);
+        _exit(write(ends[1], &started, sizeof started) == sizeof started ? 0 : 1);
+    }
+    pid_t started = 0;
+    ASSERT_EQ(read(ends[0], &started, sizeof started), static_cast<ssize_t>(sizeof started));
+    waitpid(recorded, nullptr, 0);
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), 0);
+    EXPECT_EQ(kill(started, SIGKILL), 0) << "the other program lives until now";
+    close(ends[0]);
+    close(ends[1]);
 }
 } // namespace
 } // namespace ode_predictive_space::recording

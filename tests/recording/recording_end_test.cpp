@@ -35,6 +35,7 @@ TEST_F(RecorderTest, NoLimitIsExceeded)
         }
         const Recording recording = recorded.end();
         EXPECT_LE(recording.bytes(), limit);
+        EXPECT_GT(recording.bytes(), limit - 200) << "one event more does not fit";
         EXPECT_TRUE(recording.reached_limit());
         EXPECT_TRUE(recording.events().back().has_pairs);
     }
