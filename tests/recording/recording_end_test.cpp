@@ -1,6 +1,9 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <ode/ode.h>
 
 #include <gtest/gtest.h>
@@ -147,6 +150,26 @@ TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
     dSpaceDestroy(space);
     EXPECT_TRUE(Recording::read(file.path()).has_end());
     dSpaceDestroy(other);
+}
+
+TEST_F(RecorderTest, AForkedProgramGoesOnWithItsRecordedSpace)
+{
+    const ScratchFile file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        alarm(10); // ends a child that waits for a lock
+        dGeomSetPosition(ball, 1, 0, 0);
+        dSpaceCollide(space, nullptr, ignore);
+        _exit(0);
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    dSpaceDestroy(space);
 }
 
 TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
