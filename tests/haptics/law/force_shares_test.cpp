@@ -43,5 +43,19 @@ TEST(ForceSplit, AForceThatLagsBelongsToWhoMadeIt)
     EXPECT_LE((share_of(split, 1) - Vector3(1, 0, 0)).norm(), 1e-14);
     EXPECT_EQ(split.shares().size(), 2U);
 }
+
+TEST(ForceSplit, AForceThatLagsStaysWhereTheObjectWasTouched)
+{
+    ForceSplit split;
+    Touch here = touch_of(1), there = touch_of(1);
+    here.id = 1;
+    there.id = 2;
+    there.point = Vector3(0, 3, 0);
+    split.split({here}, {{4, 0, 0}}, {4, 0, 0});
+    split.split({there}, {{0, 6, 0}}, {2, 3, 0});
+    ASSERT_EQ(split.shares().size(), 2U);
+    for (const ForceShare &share : split.shares())
+        EXPECT_LE((share.force - (share.touch == 1 ? Vector3(2, 0, 0) : Vector3(0, 3, 0))).norm(), 1e-14);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -65,6 +65,15 @@ TEST(Recording, ReadsPlainTrajectoriesOfTum)
     EXPECT_EQ(recording.ticks[1].force, Vector3::Zero());
 }
 
+TEST(Recording, ReadsALastLineWithoutAnEnd)
+{
+    const ScratchFile file("0 1 2 3 0.6 0 0 0.8");
+    const Recording recording = read_recording(file.path());
+    ASSERT_EQ(recording.ticks.size(), 1u);
+    const Eigen::Quaterniond &orientation = recording.ticks[0].state.orientation;
+    EXPECT_NEAR(orientation.w() / orientation.x(), 0.8 / 0.6, 1e-12);
+}
+
 TEST(Recording, ReadsForcesAndButtons)
 {
     const ScratchFile file("0 1 2 3 0 0 0 1 4 5 6 7\n1 1 2 3 0 0 0 1 -4e-3 5 6 4294967295\n");

@@ -85,6 +85,20 @@ TEST(Passivity, ACreditEndsWithTheTouchADebtDoesNot)
     EXPECT_EQ(controller.energy(), 0);
 }
 
+TEST(Passivity, ForgetsTheForcesOfBeforeARestart)
+{
+    PassivityController controller(5);
+    controller.set_delay(5);
+    for (int tick = 0; tick < 10; ++tick)
+        controller.control(state_at(0), Vector3(2, 0, 0), dt);
+    controller.reset();
+    for (int tick = 0; tick < 10; ++tick)
+    {
+        controller.control(state_at(0.001 * tick, 1), Vector3::Zero(), dt);
+        EXPECT_EQ(controller.energy(), 0) << tick;
+    }
+}
+
 struct LateWall
 {
     double swing_at_first, swing_in_the_end; // m; of one second each

@@ -59,6 +59,17 @@ TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)
     EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane: the stage waits";
 }
 
+TEST_F(ProbeFaultTest, AfterLongNonsenseOfTheDeviceTheStageWaitsToo)
+{
+    HapticProbe probe(device_, world_.space, radius, with_stiffness(800));
+    press(probe);
+    device_.break_now(Breakage::not_a_number);
+    world_.run(probe, 200);
+    device_.break_now(Breakage::none);
+    world_.run(probe, 110);
+    EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane";
+}
+
 TEST_F(ProbeFaultTest, AVelocityThatIsNotANumberEndsWithZeroForceAndANotice)
 {
     ProbeWorld world;

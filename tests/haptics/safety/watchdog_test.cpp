@@ -121,6 +121,12 @@ TEST(Watchdog, WithoutPhysicsTheForceIsGoneWithinTenMilliseconds)
     EXPECT_EQ(program.stale_ticks, 6);
 }
 
+TEST(Watchdog, TheServoIsLateByItsOwnRate)
+{
+    EXPECT_EQ(WatchdogLimits::of(1000, 50).late_after, WatchdogLimits::of(1000, 1000).late_after);
+    EXPECT_GT(WatchdogLimits::of(50, 1000).late_after, WatchdogLimits::of(1000, 1000).late_after);
+}
+
 TEST(Watchdog, SlowerPhysicsIsGivenItsTime)
 {
     Program program(WatchdogLimits::of(1000, 100));
