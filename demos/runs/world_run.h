@@ -6,10 +6,7 @@
 #include "demos/worlds/world.h"
 
 #include <chrono>
-#include <functional>
-#include <limits>
 #include <memory>
-#include <set>
 #include <vector>
 
 namespace ode_predictive_space::worlds
@@ -21,20 +18,8 @@ inline double seconds_between(Clock::time_point begin, Clock::time_point end)
     return std::chrono::duration<double>(end - begin).count();
 }
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 /// The time that reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
-
-struct ProbeLog
-{
-    void add(const ProbeReport &report);
-
-    std::set<std::uint32_t> touched{}; ///< numbers of all geoms that it touched
-    std::size_t ticks_in_touch = 0;
-    double force_sum = 0; ///< N, over the ticks in touch
-    double max_force = 0; ///< N
-};
 
 /// A contender with its own copy of a scene.
 class WorldRun
@@ -43,15 +28,10 @@ public:
     WorldRun(SpaceKind kind, const WorldFactory &factory);
     WorldRun(std::unique_ptr<Contender> contender, const WorldFactory &factory);
 
-    /// Runs a scene that the caller has made, whose geoms are in the contender's space.
-    WorldRun(std::unique_ptr<Contender> contender, std::unique_ptr<World> scene);
-
     ~WorldRun();
 
-    /// Makes ticks: motion, dSpaceCollide(), contacts. Ends with the tick that uses up `seconds`. @return the seconds used.
-    double turn(int ticks, double seconds = unlimited);
-
-    void tick() { turn(1); }
+    /// Makes ticks: motion, dSpaceCollide(), contacts.
+    void turn(int ticks);
 
     /// Forget the times so far, but not the pairs: the ticks so far were warm-up.
     void start_measuring();
@@ -64,12 +44,8 @@ public:
     /// of a program. The scene, which calls it for the pairs in its own order, does so in any case.
     void measure_contacts() { measuring_contacts_ = true; }
 
-    /// Check the space by brute force after each tick, if it is a predictive one.
-    void check_every_tick() { checking_ = true; }
-
     const Contender &contender() const { return *contender_; }
     const std::string &name() const { return contender_->name(); }
-    const World &scene() const { return *scene_; }
 
     /// Duration of each dSpaceCollide() since start_measuring(), in microseconds.
     const std::vector<double> &collide_times() const { return collide_times_; }
@@ -80,14 +56,12 @@ public:
     /// With measure_contacts(): duration of the dCollide() calls of each tick since start_measuring(), in microseconds.
     const std::vector<double> &contact_times() const { return contact_times_; }
     std::uint64_t calls() const { return calls_; } ///< of dCollide() since start_measuring()
-    std::uint64_t touching() const
-    {
-        return touching_;
-    } ///< pairs with contacts, summed over the ticks since start_measuring()
-    /// One hash per tick, of the pairs with contacts.
-    const std::vector<std::uint64_t> &touching_hashes() const { return touching_hashes_; }
 
-    const ProbeLog &probe_log() const { return probe_log_; }
+    /// With measure_contacts(): number of pairs with contacts, summed over the ticks since start_measuring().
+    std::uint64_t touching() const { return touching_; }
+
+    /// With measure_contacts(): one hash per tick, of the pairs with contacts.
+    const std::vector<std::uint64_t> &touching_hashes() const { return touching_hashes_; }
 
     std::size_t ticks() const { return tick_hashes_.size(); }            ///< since the beginning
     std::size_t measured_ticks() const { return collide_times_.size(); } ///< since start_measuring()
@@ -99,8 +73,6 @@ public:
     /// sweep-and-prune space; for the others every reported pair is counted.
     std::uint64_t false_pairs() const { return false_pairs_; }
 
-    bool invariant_held() const { return invariant_held_; } ///< in all checks of check_every_tick()
-
     /// One hash per tick, to find the tick at which two runs diverge.
     const std::vector<std::uint64_t> &tick_hashes() const { return tick_hashes_; }
 
@@ -109,15 +81,12 @@ private:
     void collide();
     void find_contacts();
     void note_touching(const std::vector<IndexPair> &pairs);
-    void check();
 
     std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
     std::unique_ptr<World> scene_;
     PairList list_;
     std::size_t queries_ = 0; ///< 0: dSpaceCollide()
     bool measuring_contacts_ = false;
-    bool checking_ = false;
-    bool invariant_held_ = true;
     double clock_overhead_;
     std::uint64_t pairs_ = 0;
     std::uint64_t contacts_ = 0;
@@ -129,7 +98,6 @@ private:
     std::uint64_t calls_ = 0;
     std::uint64_t touching_ = 0;
     std::vector<std::uint64_t> touching_hashes_;
-    ProbeLog probe_log_;
     std::vector<std::uint64_t> tick_hashes_;
 };
 
@@ -139,16 +107,13 @@ WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &fac
 
 /// Makes `ticks` ticks in each run, in alternating blocks of some hundred; each round begins with another run. The load, clock
 /// frequency and temperature then affect all runs alike, and a run finds its data in the cache as it would alone.
-/// @param progress called after each round with the number of ticks done. @param seconds_each after it, a run makes no more
-/// ticks.
-void run_by_turns(const WorldRuns &runs, int ticks, const std::function<void(int)> &progress = {},
-                  double seconds_each = unlimited);
+void run_by_turns(const WorldRuns &runs, int ticks);
 
-/// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is
-/// none. A run with fewer ticks than another is compared in these ticks.
+/// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is none.
+/// The runs have made the same number of ticks.
 int first_difference(const WorldRuns &runs);
 
-/// The first tick in which the pairs with contacts differ, among all contenders with measure_contacts(), exact or not.
+/// The first tick in which the pairs with contacts differ, among all contenders, exact or not: all with measure_contacts().
 int first_difference_of_contacts(const WorldRuns &runs);
 } // namespace ode_predictive_space::worlds
 

@@ -173,9 +173,14 @@ TEST_P(AnyWorld, MovesInTheSameWayInEverySpace)
     for (const auto &run : runs)
     {
         run->ask_only(GetParam() == "ask" ? asking_spheres : 0);
-        run->check_every_tick();
-        run->turn(ticks_of(GetParam()));
-        EXPECT_TRUE(run->invariant_held()) << run->name();
+        for (int tick = 0; tick < ticks_of(GetParam()); ++tick)
+        {
+            run->turn(1);
+            if (run->contender().is_predictive())
+            {
+                EXPECT_NE(dPredictiveSpaceValidate(run->contender().space()), 0) << run->name() << ", tick " << tick;
+            }
+        }
         EXPECT_EQ(run->contacts(), runs.front()->contacts()) << run->name();
     }
     EXPECT_EQ(first_difference(runs), -1);
