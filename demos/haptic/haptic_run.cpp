@@ -6,6 +6,9 @@
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 
+#include <algorithm>
+#include <ode_predictive_space/predictive_space.h>
+
 namespace ode_predictive_space::demo
 {
 namespace
@@ -232,13 +235,12 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
     servo_log_->close();
     result_.collide = collide_times_.summary();
     result_.servo = servo_log_->totals();
-    result_.encounters = encounter_log_.summary();
     result_.contacts = encounter_log_.contacts();
     result_.stiffness = control_.stiffness;
     result_.lost_in_recording = servo_log_->lost_in_recording();
     result_.safety_notices = safety_notices_.load();
     if (dSpaceIsPredictive(space_.get()) != 0)
-        dPredictiveSpaceGetStats(space_.get(), &result_.space_stats.emplace());
+        result_.encounters = encounter_log_.summary();
     compare_with_recording();
     return result_;
 }

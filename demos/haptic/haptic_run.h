@@ -9,7 +9,6 @@
 #include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/loop/time_histogram.h"
 
-#include <ode_predictive_space/predictive_space.h>
 #include <optional>
 
 namespace ode_predictive_space::demo
@@ -22,20 +21,19 @@ struct RunResult
     haptics::LoopReport loop;
     haptics::TimeSummary collide; ///< s; in dSpaceCollide()
     ServoTotals servo;
-    double step_seconds = 0;                   ///< simulated, of a value in the two series below
-    recording::BoundedSeries collide_series{}; ///< s; in dSpaceCollide()
-    recording::BoundedSeries advance_series{}; ///< s; contacts, forces and the step of the world
-    double servo_seconds = 0;                  ///< simulated, of a value in the servo's series
-    EncounterSummary encounters;
+    double step_seconds = 0;                    ///< simulated, of a value in the two series below
+    recording::BoundedSeries collide_series{};  ///< s; in dSpaceCollide()
+    recording::BoundedSeries advance_series{};  ///< s; contacts, forces and the step of the world
+    double servo_seconds = 0;                   ///< simulated, of a value in the servo's series
+    std::optional<EncounterSummary> encounters; ///< in a predictive space
     std::vector<LoggedContact> contacts;
-    std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
-    std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
-    std::optional<haptics::ForceError> replay_error;  ///< of a replay: against the recorded forces
-    std::uint64_t replayed_ticks = 0;                 ///< number of compared ticks
-    double stiffness = 0;                             ///< N/m, at the hand; at the end
-    double scale = 1;                                 ///< metres of the scene per metre of the hand
-    std::size_t lost_in_recording = 0;                ///< ticks
-    std::uint64_t safety_notices = 0;                 ///< of the guard and the watchdog
+    std::uint64_t pairs = 0;                         ///< reported by the space, summed over the steps
+    std::optional<haptics::ForceError> replay_error; ///< of a replay: against the recorded forces
+    std::uint64_t replayed_ticks = 0;                ///< number of compared ticks
+    double stiffness = 0;                            ///< N/m, at the hand; at the end
+    double scale = 1;                                ///< metres of the scene per metre of the hand
+    std::size_t lost_in_recording = 0;               ///< ticks
+    std::uint64_t safety_notices = 0;                ///< of the guard and the watchdog
 };
 
 /// Inputs of the person; any thread may set them.

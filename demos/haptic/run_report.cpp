@@ -5,8 +5,19 @@
 #include <iomanip>
 #include <sstream>
 
+namespace ode_predictive_space::haptics
+{
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimeSummary, count, mean, p50, p99, p999, max)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoopReport, ticks, steps, period, compute, step_compute, rate, real_time_factor,
+                                   overruns, dropped_steps, saturated, notices, scheduling)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceError, rms, max)
+} // namespace ode_predictive_space::haptics
+
 namespace ode_predictive_space::demo
 {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ServoTotals, ticks, ticks_with_force, force_sum, max_force)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EncounterSummary, contacts, predicted, missed, late, mean_warning, mean_early)
+
 namespace
 {
 using recording::Curve;
@@ -74,8 +85,8 @@ void print_collisions(std::ostream &out, const RunResult &result)
     const double steps = static_cast<double>(std::max<std::uint64_t>(result.loop.steps, 1));
     line(out, "Collisions") << text_of(result.collide) << "; " << fixed(static_cast<double>(result.pairs) / steps, 1)
                             << " near pairs per step\n";
-    const EncounterSummary &encounters = result.encounters;
-    if (result.space_stats && encounters.contacts > 0)
+    const EncounterSummary encounters = result.encounters.value_or(EncounterSummary());
+    if (encounters.contacts > 0)
         line(out, "Prediction") << "of " << encounters.contacts << " first contacts, " << encounters.predicted
                                 << " were predicted, " << fixed(1e3 * encounters.mean_warning, 1)
                                 << " ms ahead on average, and came " << fixed(1e3 * encounters.mean_early, 1)
@@ -111,38 +122,6 @@ std::string text_of(const Options &options, const RunResult &result)
     return text.str();
 }
 
-nlohmann::json json_of(const haptics::TimeSummary &times)
-{
-    return {{"count", times.count},      {"mean_ms", 1e3 * times.mean}, {"p50_ms", 1e3 * times.p50},
-            {"p99_ms", 1e3 * times.p99}, {"p999_ms", 1e3 * times.p999}, {"max_ms", 1e3 * times.max}};
-}
-
-nlohmann::json json_of(const haptics::LoopReport &loop)
-{
-    return {{"ticks", loop.ticks},
-            {"steps", loop.steps},
-            {"rate_hz", loop.rate},
-            {"real_time_factor", loop.real_time_factor},
-            {"period", json_of(loop.period)},
-            {"compute", json_of(loop.compute)},
-            {"step", json_of(loop.step_compute)},
-            {"overruns", loop.overruns},
-            {"dropped_steps", loop.dropped_steps},
-            {"saturated_ticks", loop.saturated},
-            {"notices", loop.notices},
-            {"scheduling", loop.scheduling}};
-}
-
-nlohmann::json json_of(const EncounterSummary &encounters)
-{
-    return {{"contacts", encounters.contacts},
-            {"predicted", encounters.predicted},
-            {"late", encounters.late},
-            {"missed", encounters.missed},
-            {"mean_warning_ms", 1e3 * encounters.mean_warning},
-            {"mean_early_ms", 1e3 * encounters.mean_early}};
-}
-
 nlohmann::json json_of(const Options &options, const RunResult &result)
 {
     nlohmann::json json = {{"program", "predictive_haptic_demo"},
@@ -153,25 +132,17 @@ nlohmann::json json_of(const Options &options, const RunResult &result)
                            {"n", options.objects},
                            {"seed", options.seed},
                            {"simulated_time", options.fast},
-                           {"loop", json_of(result.loop)},
-                           {"collision", {{"collide", json_of(result.collide)}, {"pairs", result.pairs}}},
-                           {"force",
-                            {{"ticks", result.servo.ticks},
-                             {"ticks_with_force", result.servo.ticks_with_force},
-                             {"sum_n", result.servo.force_sum},
-                             {"max_n", result.servo.max_force},
-                             {"safety_notices", result.safety_notices},
-                             {"stiffness_n_per_m", result.stiffness},
-                             {"scale", result.scale}}}};
-    if (result.space_stats)
-    {
-        json["collision"]["repredictions"] = result.space_stats->repredictions;
-        json["collision"]["bytes"] = result.space_stats->bytes;
-        json["collision"]["encounters"] = json_of(result.encounters);
-    }
+                           {"loop", result.loop},
+                           {"collide", result.collide},
+                           {"pairs", result.pairs},
+                           {"servo", result.servo},
+                           {"stiffness", result.stiffness},
+                           {"scale", result.scale},
+                           {"safety_notices", result.safety_notices}};
+    if (result.encounters)
+        json["encounters"] = *result.encounters;
     if (result.replay_error)
-        json["replay"] = {
-            {"ticks", result.replayed_ticks}, {"rms_n", result.replay_error->rms}, {"max_n", result.replay_error->max}};
+        json["replay"] = {{"ticks", result.replayed_ticks}, {"force_error", *result.replay_error}};
     return json;
 }
 

@@ -30,14 +30,14 @@ protected:
 TEST_F(ProbeRun, FeelsTheSameInEverySpace)
 {
     const std::string options = "--objects 60 --seconds 1.2 --space ";
-    const nlohmann::json predictive = results(options + "predictive").at("force");
+    const nlohmann::json predictive = results(options + "predictive").at("servo");
     EXPECT_GT(predictive.at("ticks_with_force").get<int>(), 0);
     for (const char *space : {"hash", "quadtree", "simple", "sap"})
     {
         // The sums differ in the last bits, as the order of touches depends on the space.
-        const nlohmann::json force = results(options + space).at("force");
+        const nlohmann::json force = results(options + space).at("servo");
         EXPECT_EQ(force.at("ticks_with_force"), predictive.at("ticks_with_force")) << space;
-        EXPECT_NEAR(force.at("sum_n").get<double>(), predictive.at("sum_n").get<double>(), 1e-6) << space;
+        EXPECT_NEAR(force.at("force_sum").get<double>(), predictive.at("force_sum").get<double>(), 1e-6) << space;
     }
 }
 
@@ -47,7 +47,7 @@ TEST_F(ProbeRun, ReplaysTheForcesToTheLastBit)
     results(options + "--record '" + file("run.txt") + "'");
     const nlohmann::json replay = results(options + "--replay '" + file("run.txt") + "'").at("replay");
     EXPECT_EQ(replay.at("ticks"), 1200);
-    EXPECT_EQ(replay.at("max_n"), 0.0);
+    EXPECT_EQ(replay.at("force_error").at("max"), 0.0);
 }
 
 TEST_F(ProbeRun, RunsInEverySceneThatItOffers)
