@@ -51,22 +51,22 @@ void make_ticks(const WorldRuns &runs, int ticks)
 
 nlohmann::json record_of(const WorldRun &run, const WorldSpec &spec)
 {
-    const Statistics times = summarise(run.collide_times());
+    const Statistics times = summarise(run.measured().collide_times);
     return {{"scene", spec.name},
             {"n", spec.objects},
             {"seed", spec.seed},
             {"space", run.name()},
-            {"ticks", run.ticks()},
-            {"measured_ticks", run.measured_ticks()},
+            {"ticks", run.reported().ticks()},
+            {"measured_ticks", run.measured().collide_times.size()},
             {"mean_us", times.mean},
             {"median_us", times.median},
             {"p99_us", times.p99},
             {"max_us", times.max},
-            {"tick_us", summarise(run.tick_times()).median},
-            {"pairs", run.pairs()},
-            {"pair_hash", hexadecimal(run.pair_hash())},
-            {"false_pairs", run.false_pairs()},
-            {"contacts", run.contacts()}};
+            {"tick_us", summarise(run.measured().tick_times).median},
+            {"pairs", run.reported().pairs},
+            {"pair_hash", hexadecimal(hash_ticks(run.reported().tick_hashes))},
+            {"false_pairs", run.reported().false_pairs},
+            {"contacts", run.reported().contacts}};
 }
 
 /// The gain in the sense of Vogiannou et al.: (T_other - T_ours) / T_other, in percent.
@@ -119,13 +119,13 @@ std::string text_of(const Report &report, int pairs_differ, int contacts_differ,
 }
 
 recording::Plot times_plot(const char *title, const WorldRuns &runs, double tick_seconds,
-                           const std::vector<double> &(WorldRun::*times)() const)
+                           std::vector<double> Measured::*times)
 {
     recording::Plot plot{title, "simulated time (s)", "microseconds", {}, true};
     for (const auto &run : runs)
     {
         recording::BoundedSeries series{};
-        for (const double time : (*run.*times)())
+        for (const double time : run->measured().*times)
             series.add(time);
         plot.curves.push_back(recording::means(run->name(), series, tick_seconds, 1));
     }
@@ -151,8 +151,8 @@ Report compare_spaces(const Options &options)
     report.page = {
         "Spaces compared",
         text_of(report, pairs_differ, contacts_differ, factory.spec()),
-        {times_plot("Time per tick in dSpaceCollide()", runs, factory.tick_seconds(), &WorldRun::collide_times),
-         times_plot("Time per whole tick", runs, factory.tick_seconds(), &WorldRun::tick_times)}};
+        {times_plot("Time per tick in dSpaceCollide()", runs, factory.tick_seconds(), &Measured::collide_times),
+         times_plot("Time per whole tick", runs, factory.tick_seconds(), &Measured::tick_times)}};
     return report;
 }
 } // namespace ode_predictive_space::demo

@@ -37,10 +37,8 @@ double clock_overhead()
     return summarise(intervals).median;
 }
 
-WorldRun::WorldRun(SpaceKind kind, const WorldFactory &factory) : WorldRun(make_contender(kind, factory), factory) {}
-
 WorldRun::WorldRun(std::unique_ptr<Contender> contender, const WorldFactory &factory)
-    : contender_(std::move(contender)), scene_(factory.make(contender_->space())), clock_overhead_(clock_overhead())
+    : contender_(std::move(contender)), scene_(factory.make(contender_->space()))
 {}
 
 // The space is destroyed first and leaves its geoms to the scene: some spaces search or sort all their geoms whenever one
@@ -75,8 +73,8 @@ void WorldRun::find_contacts()
             touching_pairs_.emplace_back(geom_index(one), geom_index(other));
     }
     const double seconds = seconds_between(start, Clock::now());
-    contact_times_.push_back(microseconds * std::max(0.0, seconds - clock_overhead_));
-    calls_ += list_.size();
+    measured_.contact_times.push_back(microseconds * std::max(0.0, seconds - clock_overhead_));
+    measured_.calls += list_.size();
 }
 
 // Some colliders find contacts although the boxes are apart: a space need not report such a pair.
@@ -85,8 +83,8 @@ void WorldRun::note_touching(const std::vector<IndexPair> &pairs)
     const auto is_false = [&](const IndexPair &pair) { return !std::binary_search(pairs.begin(), pairs.end(), pair); };
     touching_pairs_.erase(std::remove_if(touching_pairs_.begin(), touching_pairs_.end(), is_false),
                           touching_pairs_.end());
-    touching_ += touching_pairs_.size();
-    touching_hashes_.push_back(hash_pairs(touching_pairs_));
+    measured_.touching += touching_pairs_.size();
+    reported_.touching_hashes.push_back(hash_pairs(touching_pairs_));
 }
 
 void WorldRun::turn(int ticks)
@@ -104,7 +102,7 @@ void WorldRun::make_tick()
     const Clock::time_point collided = Clock::now();
     if (measuring_contacts_)
         find_contacts();
-    false_pairs_ += contender_->finish(list_);
+    reported_.false_pairs += contender_->finish(list_);
     const std::vector<IndexPair> pairs = list_.sorted();
     if (measuring_contacts_)
         note_touching(pairs);
@@ -112,35 +110,19 @@ void WorldRun::make_tick()
     scene_->respond(pairs);
     const Clock::time_point responded = Clock::now();
 
-    collide_times_.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
-    tick_times_.push_back(microseconds * (seconds_between(start, collided) + seconds_between(read, responded)));
-    pairs_ += pairs.size();
-    contacts_ += scene_->contacts();
-    tick_hashes_.push_back(hash_pairs(pairs));
-}
-
-void WorldRun::start_measuring()
-{
-    collide_times_.clear();
-    tick_times_.clear();
-    contact_times_.clear();
-    calls_ = 0;
-    touching_ = 0;
-}
-
-std::uint64_t WorldRun::pair_hash() const
-{
-    PairHash hash;
-    for (const std::uint64_t tick_hash : tick_hashes_)
-        hash.add_tick(tick_hash);
-    return hash.value();
+    measured_.collide_times.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
+    measured_.tick_times.push_back(microseconds *
+                                   (seconds_between(start, collided) + seconds_between(read, responded)));
+    reported_.pairs += pairs.size();
+    reported_.contacts += scene_->contacts();
+    reported_.tick_hashes.push_back(hash_pairs(pairs));
 }
 
 WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory)
 {
     WorldRuns runs;
     for (const SpaceKind kind : kinds)
-        runs.push_back(std::make_unique<WorldRun>(kind, factory));
+        runs.push_back(std::make_unique<WorldRun>(make_contender(kind, factory), factory));
     return runs;
 }
 
@@ -160,7 +142,7 @@ int first_difference(const WorldRuns &runs)
     for (const auto &run : runs)
     {
         if (run->contender().exact())
-            exact.push_back(&run->tick_hashes());
+            exact.push_back(&run->reported().tick_hashes);
     }
     return first_difference(exact);
 }
@@ -169,7 +151,7 @@ int first_difference_of_contacts(const WorldRuns &runs)
 {
     std::vector<const TickHashes *> all;
     for (const auto &run : runs)
-        all.push_back(&run->touching_hashes());
+        all.push_back(&run->reported().touching_hashes);
     return first_difference(all);
 }
 } // namespace ode_predictive_space::worlds

@@ -21,11 +21,34 @@ inline double seconds_between(Clock::time_point begin, Clock::time_point end)
 /// The time that reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
 
+/// Durations of ticks in microseconds, and numbers, since start_measuring().
+struct Measured
+{
+    std::vector<double> collide_times; ///< of each dSpaceCollide()
+    std::vector<double> tick_times;    ///< of each whole tick: motion, step of the world, collide, contacts
+    std::vector<double> contact_times; ///< with measure_contacts(): of the dCollide() calls of each tick
+    std::uint64_t calls = 0;           ///< with measure_contacts(): of dCollide()
+    std::uint64_t touching = 0;        ///< with measure_contacts(): pairs with contacts, summed over the ticks
+};
+
+/// Summed over all ticks since the beginning, or one value per tick.
+struct Reported
+{
+    std::uint64_t pairs = 0;
+    std::uint64_t contacts = 0;
+    /// Pairs that were reported although their boxes were apart, and are not counted in `pairs`. They are searched only in the
+    /// sweep-and-prune space; for the others every reported pair is counted.
+    std::uint64_t false_pairs = 0;
+    std::vector<std::uint64_t> tick_hashes;     ///< of the pairs
+    std::vector<std::uint64_t> touching_hashes; ///< with measure_contacts(): of the pairs with contacts
+
+    std::size_t ticks() const { return tick_hashes.size(); }
+};
+
 /// A contender with its own copy of a scene.
 class WorldRun
 {
 public:
-    WorldRun(SpaceKind kind, const WorldFactory &factory);
     WorldRun(std::unique_ptr<Contender> contender, const WorldFactory &factory);
 
     ~WorldRun();
@@ -34,10 +57,10 @@ public:
     void turn(int ticks);
 
     /// Forget the times so far, but not the pairs: the ticks so far were warm-up.
-    void start_measuring();
+    void start_measuring() { measured_ = {}; }
 
     /// In place of dSpaceCollide(), calls dSpaceCollide2() for the first `queries` of the scene's queries in each tick, as a
-    /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
+    /// program that needs only what is near some geoms. Times and pairs are then those of these calls.
     void ask_only(std::size_t queries) { queries_ = queries; }
 
     /// In each tick, calls dCollide() for all reported pairs right after dSpaceCollide(), and measures that: the narrow phase
@@ -46,35 +69,8 @@ public:
 
     const Contender &contender() const { return *contender_; }
     const std::string &name() const { return contender_->name(); }
-
-    /// Duration of each dSpaceCollide() since start_measuring(), in microseconds.
-    const std::vector<double> &collide_times() const { return collide_times_; }
-
-    /// Duration of each whole tick since start_measuring(), in microseconds: motion, step of the world, collide, contacts.
-    const std::vector<double> &tick_times() const { return tick_times_; }
-
-    /// With measure_contacts(): duration of the dCollide() calls of each tick since start_measuring(), in microseconds.
-    const std::vector<double> &contact_times() const { return contact_times_; }
-    std::uint64_t calls() const { return calls_; } ///< of dCollide() since start_measuring()
-
-    /// With measure_contacts(): number of pairs with contacts, summed over the ticks since start_measuring().
-    std::uint64_t touching() const { return touching_; }
-
-    /// With measure_contacts(): one hash per tick, of the pairs with contacts.
-    const std::vector<std::uint64_t> &touching_hashes() const { return touching_hashes_; }
-
-    std::size_t ticks() const { return tick_hashes_.size(); }            ///< since the beginning
-    std::size_t measured_ticks() const { return collide_times_.size(); } ///< since start_measuring()
-    std::uint64_t pairs() const { return pairs_; }                       ///< summed over ticks()
-    std::uint64_t contacts() const { return contacts_; }                 ///< summed over ticks()
-    std::uint64_t pair_hash() const;                                     ///< of all ticks()
-
-    /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). They are searched only in the
-    /// sweep-and-prune space; for the others every reported pair is counted.
-    std::uint64_t false_pairs() const { return false_pairs_; }
-
-    /// One hash per tick, to find the tick at which two runs diverge.
-    const std::vector<std::uint64_t> &tick_hashes() const { return tick_hashes_; }
+    const Measured &measured() const { return measured_; }
+    const Reported &reported() const { return reported_; }
 
 private:
     void make_tick();
@@ -87,18 +83,10 @@ private:
     PairList list_;
     std::size_t queries_ = 0; ///< 0: dSpaceCollide()
     bool measuring_contacts_ = false;
-    double clock_overhead_;
-    std::uint64_t pairs_ = 0;
-    std::uint64_t contacts_ = 0;
-    std::uint64_t false_pairs_ = 0;
-    std::vector<double> collide_times_;
-    std::vector<double> tick_times_;
-    std::vector<double> contact_times_;
+    double clock_overhead_ = clock_overhead();
     std::vector<IndexPair> touching_pairs_; // in this tick
-    std::uint64_t calls_ = 0;
-    std::uint64_t touching_ = 0;
-    std::vector<std::uint64_t> touching_hashes_;
-    std::vector<std::uint64_t> tick_hashes_;
+    Measured measured_;
+    Reported reported_;
 };
 
 using WorldRuns = std::vector<std::unique_ptr<WorldRun>>;
