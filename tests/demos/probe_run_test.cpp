@@ -5,6 +5,8 @@
 
 #include "demos/haptic/options.h"
 #include "demos/haptic/report.h"
+#include "demos/runs/spaces.h"
+#include "ode_predictive_space/haptics/drivers.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch.h"
 
@@ -99,6 +101,26 @@ TEST_F(ProbeRun, PrintsNothingEmpty)
             EXPECT_FALSE(contains(line, "of 0 ") || contains(line, "in 0.00 %")) << line;
         }
     }
+}
+
+double force_sum(double stiffness)
+{
+    const worlds::OdeSession ode;
+    Options options;
+    options.spaces = {"predictive"};
+    options.fast = true;
+    options.seconds = 1.2;
+    DemoDevice device(haptics::make_device("hand-path", options.seed)); // it moves whatever the force is
+    RunControl control;
+    const worlds::WorldFactory factory({options.scene, 60, options.seed, -1, false});
+    HapticRun run(options, factory, device, control, [](const haptics::Notice &) {});
+    return run.run([&] { control.stiffness = stiffness; }).servo.force_sum;
+}
+
+TEST(RunControl, StiffnessIsFeltWithoutARestart)
+{
+    EXPECT_GT(force_sum(100), 0);
+    EXPECT_GT(force_sum(200), 1.5 * force_sum(100));
 }
 
 // Once, a stop by the guard was reported on standard error only.
