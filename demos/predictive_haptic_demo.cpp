@@ -1,12 +1,8 @@
 // A probe among still and moving objects at 1 kHz, with or without a window; or a comparison of spaces.
 
-#include "demos/haptic/comparison.h"
-#include "demos/haptic/haptic_run.h"
-#include "demos/haptic/probe_scenes.h"
-#include "demos/haptic/run_page.h"
-#include "demos/haptic/run_summary.h"
-#include "demos/runs/check_writable.h"
+#include "demos/haptic/report.h"
 #include "demos/runs/result_records.h"
+#include "demos/runs/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 #include "ode_predictive_space/haptics/safety.h"
 #ifdef HAPTIC_DEMO_HAS_WINDOW
@@ -43,13 +39,10 @@ std::string what_a_window_lacks()
 #endif
 }
 
-demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_window)
+demo::RunResult run(const Options &options, bool in_window)
 {
-    worlds::WorldSpec spec;
-    spec.name = options.scene;
-    spec.objects = options.objects;
-    spec.seed = options.seed;
-    const worlds::WorldFactory factory = demo::factory_for_probe(spec);
+    const worlds::WorldFactory factory({options.scene, options.objects, options.seed, -1, false});
+    demo::DemoDevice device(haptics::make_device(options.device, options.seed));
     const auto notice = [](const haptics::Notice &sent) { std::cerr << "-- " << sent.sentence() << std::endl; };
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     if (in_window)
@@ -61,7 +54,7 @@ demo::RunResult run(const Options &options, demo::DemoDevice &device, bool in_wi
     return demo::HapticRun(options, factory, device, control, notice).run();
 }
 
-void run_probe(Options options, bool in_window)
+demo::Report run_probe(Options options, bool in_window)
 {
     if (options.device == "mouse" && !in_window)
         throw std::runtime_error("--device mouse needs a window, whose pointer moves the probe");
@@ -70,15 +63,11 @@ void run_probe(Options options, bool in_window)
     if (!in_window && options.seconds == 0)
         options.seconds = usual_seconds_without_window;
     const haptics::StopRequest stop_request; // signals end the loop with zero force, and the summary is printed
-    demo::DemoDevice device(haptics::make_device(options.device, options.seed));
-    demo::print_beginning(std::cout, options, in_window);
-    const demo::RunResult result = run(options, device, in_window);
-    demo::print_summary(std::cout, options, result);
-    if (!options.json_file.empty())
-        worlds::write_json(options.json_file, demo::json_summary(options, result));
-    if (!options.report_folder.empty())
-        std::cerr << "report: " << recording::write_page(options.report_folder, demo::page_of_run(options, result))
-                  << std::endl;
+    if (in_window)
+        std::cout << "The keys are listed in the window.\n" << std::flush;
+    else
+        std::cout << "Running for " << options.seconds << " simulated seconds, without a window.\n" << std::flush;
+    return demo::report_of(options, run(options, in_window));
 }
 
 void check_outputs(const Options &options)
@@ -92,33 +81,44 @@ void check_outputs(const Options &options)
         recording::prepare_folder(options.report_folder);
 }
 
-ExitStatus run_demo(const Options &options)
+void write_report(const Options &options, const demo::Report &report)
 {
-    check_outputs(options);
-    const worlds::OdeSession ode;
+    std::cout << report.page.text;
+    if (!options.json_file.empty())
+        worlds::write_json(options.json_file, report.json);
+    if (!options.report_folder.empty())
+        std::cerr << "report: " << recording::write_page(options.report_folder, report.page) << std::endl;
+}
+
+demo::Report make_report(const Options &options)
+{
     const std::string lack = options.headless ? "" : what_a_window_lacks();
     const bool in_window = !options.headless && !options.compare && lack.empty();
     if (!options.screenshot_file.empty() && !in_window)
         throw std::runtime_error("--screenshot needs a window: " + lack);
-    if (options.compare || (!in_window && !options.wants_one_run))
-    {
-        if (!lack.empty() && !options.compare)
-            std::cout << "No window: " << lack << ". The spaces are compared instead. With --device virtual the probe "
-                      << "runs without a window.\n\n";
-        return demo::compare_spaces(options) ? exit_well : exit_different_pairs;
-    }
-    run_probe(options, in_window);
-    return exit_well;
+    if (in_window || options.wants_one_run)
+        return run_probe(options, in_window);
+    if (!lack.empty() && !options.compare)
+        std::cout << "No window: " << lack << ". The spaces are compared instead. With --device virtual the probe "
+                  << "runs without a window.\n\n";
+    return demo::compare_spaces(options);
 }
 
 int run_as_asked(int argc, char **argv)
 {
     Options options;
-    const std::optional<int> parsed = demo::parse_command_line(argc, argv, options);
-    const int status = parsed ? *parsed : run_demo(options);
+    std::optional<int> status = demo::parse_command_line(argc, argv, options);
+    if (!status)
+    {
+        check_outputs(options);
+        const worlds::OdeSession ode;
+        const demo::Report report = make_report(options);
+        write_report(options, report);
+        status = report.is_good ? exit_well : exit_different_pairs;
+    }
     if (!std::cout.flush())
         throw std::runtime_error("standard output cannot be written");
-    return status;
+    return *status;
 }
 } // namespace
 

@@ -21,9 +21,6 @@ public:
     void hold_clutch(bool held) { clutch_.store(held, std::memory_order_relaxed); }
     bool clutch_held() const { return clutch_.load(std::memory_order_relaxed); }
 
-    /// Whether the force is felt, by a person or a simulated hand.
-    bool can_push() const { return device_->capabilities().force_axes > 0; }
-
     haptics::Device &inner() { return *device_; }
 
     void open() override { device_->open(); }

@@ -2,16 +2,19 @@
 
 #include "ode_predictive_space/haptics/contact/short_list.h"
 
-#include <sstream>
-
 namespace ode_predictive_space::demo
 {
 using namespace haptics;
 
-void EncounterLog::add(double time, HapticProbe &probe)
+namespace
 {
-    add(time, probe.encounters(), probe.touches());
+constexpr double rounding = 1e-9; // s
+
+template <typename Listed> const Listed *find(const std::vector<Listed> &list, std::uintptr_t object)
+{
+    return find_in(list, [&](const Listed &listed) { return listed.object == object; });
 }
+} // namespace
 
 void EncounterLog::add(double time, const std::vector<Encounter> &encounters, const std::vector<Touch> &touches)
 {
@@ -24,29 +27,13 @@ void EncounterLog::add(double time, const std::vector<Encounter> &encounters, co
         touched.push_back(touch.object);
         if (std::find(touched_.begin(), touched_.end(), touch.object) != touched_.end())
             continue;
-        log_contact(time, touch.object);
-        const Listed *listed = find(now, touch.object);
+        const Listed *before = find(listed_, touch.object), *listed = find(now, touch.object);
+        contacts_.push_back(before ? LoggedContact{time, true, time - before->since, before->forecast}
+                                   : LoggedContact{time});
         missed_ += listed == nullptr || !listed->near ? 1 : 0;
     }
     touched_ = std::move(touched);
     listed_ = std::move(now);
-}
-
-const EncounterLog::Listed *EncounterLog::find(const std::vector<Listed> &list, std::uintptr_t object)
-{
-    return find_in(list, [&](const Listed &listed) { return listed.object == object; });
-}
-
-void EncounterLog::log_contact(double time, std::uintptr_t object)
-{
-    LoggedContact contact{object, time};
-    if (const Listed *listed = find(listed_, object))
-    {
-        contact.predicted = true;
-        contact.warning = time - listed->since;
-        contact.forecast = listed->forecast;
-    }
-    contacts_.push_back(contact);
 }
 
 /// A body of several geoms can be listed several times: the soonest comes first, and counts.
@@ -74,44 +61,22 @@ EncounterSummary EncounterLog::summary() const
     EncounterSummary summary;
     summary.contacts = contacts_.size();
     summary.missed = missed_;
+    std::size_t early = 0;
     for (const LoggedContact &contact : contacts_)
     {
         if (!contact.predicted)
             continue;
         ++summary.predicted;
-        summary.mean_warning += contact.warning;
-        const double early = contact.time - contact.forecast;
-        if (early < -1e-9)
-            ++summary.late;
-        else
+        const auto predicted = static_cast<double>(summary.predicted);
+        summary.mean_warning += (contact.warning - summary.mean_warning) / predicted;
+        if (contact.time < contact.forecast - rounding)
         {
-            summary.mean_early += early;
-            summary.max_early = std::max(summary.max_early, early);
+            ++summary.late;
+            continue;
         }
+        ++early;
+        summary.mean_early += (contact.time - contact.forecast - summary.mean_early) / static_cast<double>(early);
     }
-    const auto divide = [](double &sum, std::size_t count) { sum = count > 0 ? sum / static_cast<double>(count) : 0; };
-    divide(summary.mean_warning, summary.predicted);
-    divide(summary.mean_early, summary.predicted - summary.late);
     return summary;
-}
-
-std::string EncounterSummary::text() const
-{
-    std::ostringstream out;
-    out.precision(3);
-    if (contacts == 0)
-        return "No contact began.";
-    out << "Of " << contacts << " first contacts, " << predicted << " were predicted";
-    if (predicted > 0)
-        out << ", " << 1000 * mean_warning << " ms ahead on average";
-    if (predicted > late)
-    {
-        out << ". They came " << 1000 * mean_early << " ms (at most " << 1000 * max_early
-            << " ms) after the predicted time of proximity";
-    }
-    if (late > 0)
-        out << "; " << late << " came before the predicted time, as the hand had left its predicted path";
-    out << "; " << missed << " were missed.";
-    return out.str();
 }
 } // namespace ode_predictive_space::demo

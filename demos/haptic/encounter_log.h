@@ -3,17 +3,14 @@
 
 #include "ode_predictive_space/haptics/probe.h"
 
-#include <string>
-
 namespace ode_predictive_space::demo
 {
 struct LoggedContact
 {
-    std::uintptr_t object = 0; ///< as in Touch
-    double time = 0;           ///< s; of the first tick in which it was touched
-    bool predicted = false;    ///< the space listed it in an earlier tick
-    double warning = 0;        ///< s; time for which it had been listed without a gap
-    double forecast = 0;       ///< s; last predicted time of proximity before it was near
+    double time = 0;        ///< s; of the first tick in which the object was touched
+    bool predicted = false; ///< the space listed it in an earlier tick
+    double warning = 0;     ///< s; time for which it had been listed without a gap
+    double forecast = 0;    ///< s; last predicted time of proximity before it was near
 };
 
 struct EncounterSummary
@@ -24,9 +21,6 @@ struct EncounterSummary
     std::size_t late = 0;      ///< predicted for later: the hand left its path, and the space noticed in time
     double mean_warning = 0;   ///< s; of the predicted contacts
     double mean_early = 0;     ///< s; contact minus forecast, of the predicted contacts that were not late
-    double max_early = 0;      ///< s
-
-    std::string text() const;
 };
 
 /// Compares the times of proximity that a predictive space predicts for the probe with the times of its contacts. The space
@@ -35,10 +29,7 @@ struct EncounterSummary
 class EncounterLog
 {
 public:
-    /// Call once per tick, between the collision and the next one. It asks the probe for its encounters, which costs time.
-    void add(double time, haptics::HapticProbe &probe);
-
-    /// As above, with lists that the program has made. @param time s; later than in the call before.
+    /// Call once per tick, between the collision and the next one. @param time s; later than in the call before.
     void add(double time, const std::vector<haptics::Encounter> &encounters,
              const std::vector<haptics::Touch> &touches);
 
@@ -55,8 +46,6 @@ private:
         bool near;
     };
 
-    static const Listed *find(const std::vector<Listed> &list, std::uintptr_t object);
-    void log_contact(double time, std::uintptr_t object);
     std::vector<Listed> list(double time, const std::vector<haptics::Encounter> &encounters) const;
 
     std::vector<Listed> listed_;

@@ -1,8 +1,13 @@
 #include "demos/haptic/haptic_run.h"
 
 #include "demos/haptic/room.h"
+#include "demos/runs/spaces.h"
 #include "demos/runs/world_run.h"
-#include "ode_predictive_space/haptics/recording.h"
+#include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/proxy_law.h"
+
+#include <algorithm>
+#include <ode_predictive_space/predictive_space.h>
 
 namespace ode_predictive_space::demo
 {
@@ -11,18 +16,40 @@ namespace
 constexpr double usual_rate = 1000; // Hz
 
 using worlds::Clock;
+
+const haptics::Recording *recording_of(DemoDevice &device)
+{
+    const auto *replay = dynamic_cast<const haptics::ReplayDevice *>(&device.inner());
+    return replay != nullptr ? &replay->recording() : nullptr;
+}
+
+/// The law of the options or, if they name none, that of the recording. Recordings that name no law were made when the penalty
+/// law was the usual one.
+std::shared_ptr<haptics::ForceLaw> make_law(const Options &options, const haptics::Recording *recording, double scale)
+{
+    const haptics::Material surface{options.stiffness / scale, options.damping / scale, options.friction};
+    const std::string usual = recording != nullptr ? recording->law : "proxy";
+    if ((options.law.empty() ? usual : options.law) == "proxy")
+        return std::make_shared<haptics::ProxyLaw>(surface);
+    return std::make_shared<haptics::PenaltyLaw>(surface);
+}
 } // namespace
 
 HapticRun::HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                      RunControl &control, const haptics::NoticeSink &notice)
-    : options_(options), device_(device), control_(control), scene_(options.spaces.front(), factory)
+    : options_(options), device_(device), control_(control),
+      space_(worlds::make_space(worlds::space_named(options.spaces.front()), factory)),
+      world_(factory.make(space_.get())), room_(worlds::room_inside_walls(*world_, factory.bounds()))
 {
+    result_.step_seconds = factory.tick_seconds();
+    result_.servo_seconds = 1 / servo_rate();
     const haptics::NoticeSink counted = [this, notice](const haptics::Notice &sent) {
         if (sent.kind == haptics::NoticeKind::guard || sent.kind == haptics::NoticeKind::watchdog)
             safety_notices_.fetch_add(1, std::memory_order_relaxed);
         notice(sent);
     };
     make_probe(counted);
+    make_adjustable();
     make_loop(counted);
 }
 
@@ -40,7 +67,7 @@ double HapticRun::servo_rate() const
 
 bool HapticRun::decoupled() const
 {
-    return options_.decoupled || options_.rate > 0 || scene_.step_seconds() > 1 / usual_rate;
+    return options_.decoupled || options_.rate > 0 || result_.step_seconds > 1 / usual_rate;
 }
 
 /// Finds a free start with a margin in the room; otherwise without a margin, up to two radii beyond the room.
@@ -79,19 +106,38 @@ haptics::WorkspacePlacement HapticRun::place_hand()
 void HapticRun::make_probe(const haptics::NoticeSink &notice)
 {
     device_.open(); // its capabilities and workspace are known only then
-    const std::string law = law_name(options_, device_);
-    servo_log_.emplace(servo_rate(), options_.record_file, device_.capabilities(), law, !options_.replay_file.empty());
+    const haptics::Recording *recording = recording_of(device_);
     haptics::RenderSettings settings;
     settings.placement = place_hand();
-    settings.law = law_ =
-        std::make_shared<AdjustableLaw>(law, options_, settings.placement.scale, device_.capabilities(), servo_rate());
+    settings.law = make_law(options_, recording, settings.placement.scale);
     settings.rate = servo_rate();
-    settings.physics_rate = 1 / scene_.step_seconds();
+    settings.physics_rate = 1 / result_.step_seconds;
     settings.clutch_button = clutch_button;
     settings.notice = notice;
-    probe_ = std::make_unique<haptics::HapticProbe>(device_, scene_.space(), probe_radius, settings);
+    result_.law = settings.law->name();
+    servo_log_.emplace(servo_rate(), options_.record_file, device_.capabilities(), result_.law, recording != nullptr);
+    probe_ = std::make_unique<haptics::HapticProbe>(device_, space_.get(), probe_radius, settings);
     probe_->set_recorder([this](const haptics::RenderedTick &tick) { servo_log_->add(tick); });
-    control_.stiffness = law_->at_hand(probe_->renderer().rendered(law_->material()).stiffness);
+}
+
+/// Forces in the scene and at the hand are equal, but the probe moves `scale` times as far as the hand, so the stiffness at the
+/// hand is the scale times that in the scene.
+void HapticRun::make_adjustable()
+{
+    constexpr double more_than_any_device = 1e12; // N/m
+    const haptics::Renderer &renderer = probe_->renderer();
+    const haptics::WorkspaceMapping &mapping = renderer.mapping();
+    const haptics::Material surface = renderer.rendered(probe_->renderer().law().material());
+    const double stiffest = renderer.rendered({more_than_any_device, surface.damping}).stiffness;
+    max_stiffness_ = mapping.stiffness_at_device(stiffest);
+    result_.scale = mapping.placement().scale;
+    control_.stiffness = mapping.stiffness_at_device(surface.stiffness);
+    probe_->set_materials([this, surface, stiffest](dGeomID) {
+        haptics::Material material = surface;
+        const double wish = control_.stiffness.load(std::memory_order_relaxed) / result_.scale;
+        material.stiffness = std::min(wish, stiffest);
+        return material;
+    });
 }
 
 void HapticRun::make_loop(const haptics::NoticeSink &notice)
@@ -99,7 +145,7 @@ void HapticRun::make_loop(const haptics::NoticeSink &notice)
     haptics::LoopSettings settings;
     settings.rate = servo_rate();
     settings.decoupled = decoupled();
-    settings.physics_rate = 1 / scene_.step_seconds();
+    settings.physics_rate = 1 / result_.step_seconds;
     if (options_.seconds > 0)
         settings.duration = options_.seconds;
     if (options_.fast)
@@ -114,30 +160,66 @@ void HapticRun::make_loop(const haptics::NoticeSink &notice)
 void HapticRun::near_callback(void *run, dGeomID first, dGeomID second)
 {
     auto &self = *static_cast<HapticRun *>(run);
-    if (!self.contacts_.take(*self.probe_, first, second))
-        worlds::PairList::collect(&self.scene_.pairs(), first, second);
+    if (self.probe_->touch(first, second))
+        self.near_.push_back(first == self.probe_geom() ? second : first);
+    else
+        worlds::PairList::collect(&self.pairs_, first, second);
 }
 
 void HapticRun::collide()
 {
-    scene_.pairs().clear();
-    contacts_.clear();
+    pairs_.clear();
+    near_.clear();
     const Clock::time_point begin = Clock::now();
-    dSpaceCollide(scene_.space(), this, &near_callback);
-    step_log_.collided(worlds::seconds_between(begin, Clock::now()), pairs().size() + near_probe().size());
-    law_->wish_stiffness(control_.stiffness.load(std::memory_order_relaxed));
-    scene_.respond(control_.paused.load(std::memory_order_relaxed));
+    dSpaceCollide(space_.get(), this, &near_callback);
+    const double seconds = worlds::seconds_between(begin, Clock::now());
+    collide_times_.add(seconds);
+    result_.collide_series.add(seconds);
+    result_.pairs += pairs_.size() + near_.size();
+    stands_still_ = control_.paused.load(std::memory_order_relaxed);
+    if (!stands_still_)
+        world_->respond(pairs_.sorted()); // a loop of two threads predicts motion with these contacts
 }
 
 /// After the forces of this step have been rendered.
 void HapticRun::advance()
 {
     const Clock::time_point begin = Clock::now();
-    contacts_.follow(time(), *probe_);
-    scene_.advance(near_probe());
+    follow_contacts();
+    ++steps_;
+    if (stands_still_)
+        undo_pushes();
+    else
+        world_->advance();
     const double seconds = worlds::seconds_between(begin, Clock::now());
     servo_log_->step_took(seconds);
-    step_log_.advanced(seconds);
+    result_.advance_series.add(seconds);
+}
+
+void HapticRun::follow_contacts()
+{
+    const auto is_touched = [&touches = probe_->touches()](dGeomID geom) {
+        return std::any_of(touches.begin(), touches.end(), [geom](const haptics::Touch &touch) {
+            return touch.depth > 0 && touch.object == haptics::object_of(geom);
+        });
+    };
+    touched_.clear();
+    std::copy_if(near_.begin(), near_.end(), std::back_inserter(touched_), is_touched);
+    meetings_ = probe_->encounters();
+    encounter_log_.add(time(), meetings_, probe_->touches());
+}
+
+/// Takes the forces of the probe from the bodies near it. Otherwise the next step of the world would use these forces.
+void HapticRun::undo_pushes()
+{
+    for (const dGeomID geom : near_)
+    {
+        if (const dBodyID body = dGeomGetBody(geom); body != nullptr)
+        {
+            dBodySetForce(body, 0, 0, 0);
+            dBodySetTorque(body, 0, 0, 0);
+        }
+    }
 }
 
 RunResult HapticRun::run(const std::function<void()> &after_step)
@@ -149,42 +231,34 @@ RunResult HapticRun::run(const std::function<void()> &after_step)
         if (after_step)
             after_step();
     };
-    RunResult result;
-    result.loop = loop_->run(work);
+    result_.loop = loop_->run(work);
     servo_log_->close();
-    result.collide = step_log_.collide();
-    result.servo = servo_log_->totals();
-    result.encounters = contacts_.log().summary();
-    result.contacts = contacts_.log().contacts();
-    result.series = {scene_.step_seconds(),      1 / servo_rate(),           step_log_.collide_series(),
-                     step_log_.advance_series(), servo_log_->force_series(), servo_log_->period_series()};
-    result.pairs = step_log_.pairs();
-    result.stiffness = law_->at_hand(probe_->renderer().rendered(law_->material()).stiffness);
-    result.scale = law_->scale();
-    result.lost_in_recording = servo_log_->lost_in_recording();
-    result.safety_notices = safety_notices_.load();
-    if (dSpaceIsPredictive(scene_.space()) != 0)
-        dPredictiveSpaceGetStats(scene_.space(), &result.space_stats.emplace());
-    compare_with_recording(result);
-    return result;
+    result_.collide = collide_times_.summary();
+    result_.servo = servo_log_->totals();
+    result_.contacts = encounter_log_.contacts();
+    result_.stiffness = control_.stiffness;
+    result_.lost_in_recording = servo_log_->lost_in_recording();
+    result_.safety_notices = safety_notices_.load();
+    if (dSpaceIsPredictive(space_.get()) != 0)
+        result_.encounters = encounter_log_.summary();
+    compare_with_recording();
+    return result_;
 }
 
-void HapticRun::compare_with_recording(RunResult &result)
+void HapticRun::compare_with_recording()
 {
-    const auto *replay = dynamic_cast<const haptics::ReplayDevice *>(&device_.inner());
-    if (replay == nullptr || !replay->recording().has_forces)
+    const haptics::Recording *recording = recording_of(device_);
+    if (recording == nullptr || !recording->has_forces)
         return;
     std::vector<Vector3> recorded;
-    for (const haptics::RecordedTick &tick : replay->recording().ticks)
+    for (const haptics::RecordedTick &tick : recording->ticks)
         recorded.push_back(tick.force);
     std::vector<Vector3> rendered = servo_log_->forces();
     const std::size_t common = std::min(recorded.size(), rendered.size());
     recorded.resize(common);
     rendered.resize(common);
     if (common > 0)
-    {
-        result.replay_error = haptics::compare_forces(recorded, rendered);
-        result.replayed_ticks = common;
-    }
+        result_.replay_error = haptics::compare_forces(recorded, rendered);
+    result_.replayed_ticks = common;
 }
 } // namespace ode_predictive_space::demo

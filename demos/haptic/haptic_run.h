@@ -1,46 +1,39 @@
 #ifndef ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_HAPTIC_RUN_H
 
-#include "demos/haptic/adjustable_law.h"
-#include "demos/haptic/probe_contacts.h"
-#include "demos/haptic/probe_scenes.h"
+#include "demos/haptic/demo_device.h"
+#include "demos/haptic/encounter_log.h"
+#include "demos/haptic/options.h"
 #include "demos/haptic/servo_log.h"
-#include "demos/haptic/step_log.h"
+#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/loop.h"
+#include "ode_predictive_space/haptics/loop/time_histogram.h"
 
-#include <ode_predictive_space/predictive_space.h>
 #include <optional>
 
 namespace ode_predictive_space::demo
 {
 using haptics::Vector3;
 
-struct RunSeries
-{
-    double step_seconds = 0;            ///< simulated, of a value in collide and advance
-    double servo_seconds = 0;           ///< of a value in force and period
-    recording::BoundedSeries collide{}; ///< s; in dSpaceCollide()
-    recording::BoundedSeries advance{}; ///< s; contacts, forces and the step of the world
-    recording::BoundedSeries force{};   ///< N
-    recording::BoundedSeries period{};  ///< s
-};
-
 struct RunResult
 {
+    std::string law; ///< its name
     haptics::LoopReport loop;
     haptics::TimeSummary collide; ///< s; in dSpaceCollide()
     ServoTotals servo;
-    EncounterSummary encounters;
+    double step_seconds = 0;                    ///< simulated, of a value in the two series below
+    recording::BoundedSeries collide_series{};  ///< s; in dSpaceCollide()
+    recording::BoundedSeries advance_series{};  ///< s; contacts, forces and the step of the world
+    double servo_seconds = 0;                   ///< simulated, of a value in the servo's series
+    std::optional<EncounterSummary> encounters; ///< in a predictive space
     std::vector<LoggedContact> contacts;
-    RunSeries series;
-    std::uint64_t pairs = 0;                          ///< reported by the space, summed over the steps
-    std::optional<dPredictiveSpaceStats> space_stats; ///< of a predictive space
-    std::optional<haptics::ForceError> replay_error;  ///< of a replay: against the recorded forces
-    std::uint64_t replayed_ticks = 0;                 ///< number of compared ticks
-    double stiffness = 0;                             ///< N/m, at the hand; at the end
-    double scale = 1;                                 ///< metres of the scene per metre of the hand
-    std::size_t lost_in_recording = 0;                ///< ticks
-    std::uint64_t safety_notices = 0;                 ///< of the guard and the watchdog
+    std::uint64_t pairs = 0;                         ///< reported by the space, summed over the steps
+    std::optional<haptics::ForceError> replay_error; ///< of a replay: against the recorded forces
+    std::uint64_t replayed_ticks = 0;                ///< number of compared ticks
+    double stiffness = 0;                            ///< N/m, at the hand; at the end
+    double scale = 1;                                ///< metres of the scene per metre of the hand
+    std::size_t lost_in_recording = 0;               ///< ticks
+    std::uint64_t safety_notices = 0;                ///< of the guard and the watchdog
 };
 
 /// Inputs of the person; any thread may set them.
@@ -57,6 +50,7 @@ class HapticRun
 public:
     static constexpr double probe_radius = worlds::object_radius; ///< m
 
+    /// @param factory of a scene without a probe of its own.
     /// @throws exceptions derived from std::exception when a part cannot be created.
     HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device, RunControl &control,
               const haptics::NoticeSink &notice);
@@ -64,46 +58,58 @@ public:
     HapticRun(const HapticRun &) = delete;
     HapticRun &operator=(const HapticRun &) = delete;
 
-    /// @param after_step called after each step of the scene; may be empty.
+    /// @param after_step called after each step of the scene; may be empty. Can be called once.
     RunResult run(const std::function<void()> &after_step = {});
 
     void stop() { loop_->stop(); }                                 ///< from any thread
     haptics::LoopReport report() const { return loop_->report(); } ///< from any thread
     ServoLog &servo_log() { return *servo_log_; }
 
-    double time() const { return scene_.time(); } ///< s; simulated
-    const worlds::World &scene() const { return scene_.world(); }
+    double time() const { return static_cast<double>(steps_) * result_.step_seconds; } ///< s; simulated
+    const worlds::World &scene() const { return *world_; }
     const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
-    const worlds::PairList &pairs() const { return scene_.pairs(); } ///< of the last step, without the probe's
-    const std::vector<dGeomID> &near_probe() const { return contacts_.near(); } ///< in the last step
-    const std::vector<dGeomID> &touched() const { return contacts_.touched(); } ///< in the last step
-    const std::vector<haptics::Encounter> &meetings() const { return contacts_.encounters(); }
-    const Eigen::AlignedBox3d &room() const { return scene_.room(); }     ///< m; inside the walls
+    const worlds::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
+    const std::vector<dGeomID> &near_probe() const { return near_; } ///< in the last step
+    const std::vector<dGeomID> &touched() const { return touched_; } ///< in the last step
+    const std::vector<haptics::Encounter> &meetings() const { return meetings_; }
+    const Eigen::AlignedBox3d &room() const { return room_; }             ///< m; inside the walls
     double max_force() const { return device_.capabilities().max_force; } ///< N
-    double max_stiffness() const { return law_->stiffest(); }             ///< N/m, at the hand
+    double max_stiffness() const { return max_stiffness_; }               ///< N/m, at the hand
     double servo_rate() const;                                            ///< Hz
     bool decoupled() const;
 
 private:
     void make_probe(const haptics::NoticeSink &notice);
+    void make_adjustable();
     void make_loop(const haptics::NoticeSink &notice);
     haptics::WorkspacePlacement place_hand();
     Vector3 free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const;
     void collide();
     void advance();
-    void compare_with_recording(RunResult &result);
+    void follow_contacts();
+    void undo_pushes();
+    void compare_with_recording();
     static void near_callback(void *run, dGeomID first, dGeomID second);
 
     const Options &options_;
     DemoDevice &device_;
     RunControl &control_;
-    ProbeScene scene_;
+    worlds::OwnedSpace space_;
+    std::unique_ptr<worlds::World> world_;
+    Eigen::AlignedBox3d room_;
     Vector3 start_ = Vector3::Zero(); ///< m
-    ProbeContacts contacts_;
-    StepLog step_log_;
-    std::shared_ptr<AdjustableLaw> law_;
+    double max_stiffness_ = 0;        ///< N/m, at the hand
+    worlds::PairList pairs_;
+    std::vector<dGeomID> near_;
+    std::vector<dGeomID> touched_;
+    std::vector<haptics::Encounter> meetings_;
+    EncounterLog encounter_log_;
+    std::uint64_t steps_ = 0;
+    bool stands_still_ = false; ///< in the present step
+    haptics::TimeHistogram collide_times_;
+    RunResult result_; ///< without what is known at the end only
     std::optional<ServoLog> servo_log_;
     std::atomic<std::uint64_t> safety_notices_{0}; ///< added to by the guard's thread and the servo's
     haptics::SimulatedClock simulated_clock_;

@@ -13,8 +13,7 @@ struct Options
     std::string scene = "mix";
     std::vector<std::string> spaces; ///< empty: predictive alone, or all in a comparison
     std::string device = "virtual";
-    std::string law = "proxy";
-    bool law_given = false; ///< otherwise a replay has that of the recording
+    std::string law;        ///< empty: that of the recording in a replay, otherwise proxy
     double stiffness = 500; ///< N/m, at the hand
     double damping = 0;     ///< N s/m, at the hand
     double friction = 0;
@@ -25,7 +24,6 @@ struct Options
     bool fast = false; ///< simulated time, as fast as possible
     double rate = 0;   ///< Hz; of the servo; 0: not given
     std::string record_file;
-    std::string replay_file;
     std::string json_file;
     std::string report_folder; ///< empty: no page
     bool headless = false;
@@ -35,8 +33,9 @@ struct Options
     bool wants_one_run = false; ///< an option was given that only a run of one probe in one space has
 };
 
+const std::vector<std::string> &scenes_for_probes();
+
 /// @return the exit status when the program has to end without a run: it has printed its help, or what is wrong.
-/// @throws std::invalid_argument when options contradict each other.
 std::optional<int> parse_command_line(int argc, char **argv, Options &options);
 } // namespace ode_predictive_space::demo
 

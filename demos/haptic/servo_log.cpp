@@ -32,12 +32,12 @@ void ServoLog::add_to_chart(double force)
 {
     const Clock::time_point now = Clock::now();
     column_.force = std::max(column_.force, force);
-    force_series_.add(force);
+    totals_.forces.add(force);
     if (totals_.ticks > 1)
     {
         const double period = std::chrono::duration<double>(now - last_tick_).count();
         column_.period = std::max(column_.period, period);
-        period_series_.add(period);
+        totals_.periods.add(period);
     }
     last_tick_ = now;
     if (totals_.ticks % static_cast<std::uint64_t>(ticks_per_column_) != 0)

@@ -35,8 +35,10 @@ struct ServoTotals
 {
     std::uint64_t ticks = 0;
     std::uint64_t ticks_with_force = 0;
-    double force_sum = 0; ///< N, over the ticks with force
-    double max_force = 0; ///< N
+    double force_sum = 0;               ///< N, over the ticks with force
+    double max_force = 0;               ///< N
+    recording::BoundedSeries forces{};  ///< N
+    recording::BoundedSeries periods{}; ///< s; from the second tick on
 };
 
 /// For the servo's thread, unless noted.
@@ -60,9 +62,7 @@ public:
 
     /// Valid after the end.
     const ServoTotals &totals() const { return totals_; }
-    const std::vector<haptics::Vector3> &forces() const { return forces_; }          ///< N
-    const recording::BoundedSeries &force_series() const { return force_series_; }   ///< N
-    const recording::BoundedSeries &period_series() const { return period_series_; } ///< s; from the second tick on
+    const std::vector<haptics::Vector3> &forces() const { return forces_; } ///< N
     std::size_t lost_in_recording() const { return recorder_ ? recorder_->lost() : 0; }
 
     /// Call after the end. @throws haptics::DeviceError when the recording could not be written.
@@ -78,8 +78,6 @@ private:
     bool keep_forces_;
     std::vector<haptics::Vector3> forces_;
     ServoTotals totals_;
-    recording::BoundedSeries force_series_{};
-    recording::BoundedSeries period_series_{};
     Clock::time_point last_tick_{};
     ServoColumn column_;
     std::atomic<double> longest_step_{0};

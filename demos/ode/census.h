@@ -13,11 +13,12 @@ struct Census
     int bodies = 0;
     int resting = 0;             ///< bodies that are disabled
     int contacts = 0;            ///< contact joints at the bodies
-    bool finite = true;          ///< position, rotation and velocities of all bodies, and the places of their geoms
+    bool finite = true;          ///< position, rotation and velocities of all bodies
     double mean_height = 0;      ///< of the bodies; 0 without any
     Eigen::AlignedBox3d centres; ///< of the bodies; empty without any
 };
 
+/// The census is empty in ODE's quadtree, which cannot list its geoms.
 Census take_census(dSpaceID space);
 } // namespace ode_predictive_space::ode_demos
 

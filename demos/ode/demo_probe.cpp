@@ -2,12 +2,12 @@
 
 #include "demos/ode/census.h"
 #include "demos/ode/hand.h"
-#include "demos/ode/options.h"
 #include "ode_predictive_space/haptics/safety.h"
 
 #include <cstdlib>
 #include <iostream>
 #include <ode_predictive_space/predictive_space.h>
+#include <stdexcept>
 
 namespace ode_predictive_space::ode_demos
 {
@@ -19,7 +19,7 @@ constexpr long steps_per_check = 50; // of the predictive space, by brute force
 class Demo
 {
 public:
-    void set_options(Options options);
+    void read_options(int argc, char **argv);
     void set_space(dSpaceID space, const dReal *bounds);
     bool touch(dGeomID first, dGeomID second);
     void step();
@@ -31,27 +31,39 @@ private:
     void draw_frame(int pause);
     void press_next_key();
     void check_space();
-    void tell_outcome();
+    bool describe_scene();
 
-    Options options_;
+    std::string keys_;      ///< pressed one after the other
+    bool headless_ = false; ///< without a window: drawstuff reads the number of steps
     Place place_;
-    std::unique_ptr<Hand> hand_;
-    dsFunctions functions_{}; ///< the demo's own
+    std::unique_ptr<Hand> hand_; ///< null: no probe
+    dsFunctions functions_{};    ///< the demo's own
     std::size_t frames_ = 0;
     long steps_ = 0;
     long pairs_ = 0;    ///< calls of the near callback
     long contacts_ = 0; ///< contact joints, in all steps
     bool valid_ = true; ///< result of dPredictiveSpaceValidate()
-    bool well_ = true;
 };
 
 Demo demo;
 
-void Demo::set_options(Options options)
+/// Ignores unknown options, as drawstuff does. @throws std::invalid_argument when an option lacks its value.
+void Demo::read_options(int argc, char **argv)
 {
-    options_ = std::move(options);
-    if (!options_.device.empty())
-        hand_ = std::make_unique<Hand>(options_.device);
+    for (int i = 1; i < argc; ++i)
+    {
+        const std::string name = argv[i];
+        if (name != "-probe" && name != "-keys" && name != "-headless")
+            continue;
+        if (++i >= argc)
+            throw std::invalid_argument(name + " needs a value");
+        if (name == "-probe")
+            hand_ = std::make_unique<Hand>(argv[i]);
+        else if (name == "-keys")
+            keys_ = argv[i];
+        else
+            headless_ = true;
+    }
 }
 
 void Demo::set_space(dSpaceID space, const dReal *bounds)
@@ -68,7 +80,7 @@ bool Demo::touch(dGeomID first, dGeomID second)
 
 void Demo::step()
 {
-    if (options_.headless)
+    if (headless_)
     {
         contacts_ += take_census(place_.space).contacts;
         if (steps_ % steps_per_check == 0)
@@ -102,8 +114,8 @@ void Demo::start()
 void Demo::press_next_key()
 {
     const std::size_t next = frames_ / frames_per_key;
-    if (frames_ % frames_per_key == 0 && next < options_.keys.size() && functions_.command != nullptr)
-        functions_.command(options_.keys[next]);
+    if (frames_ % frames_per_key == 0 && next < keys_.size() && functions_.command != nullptr)
+        functions_.command(keys_[next]);
 }
 
 void Demo::draw_frame(int pause)
@@ -111,19 +123,19 @@ void Demo::draw_frame(int pause)
     press_next_key();
     ++frames_;
     functions_.step(pause);
-    if (hand_ && !options_.headless)
+    if (hand_ && !headless_)
         hand_->draw();
     if (haptics::StopRequest::requested())
         dsStop();
 }
 
-void Demo::tell_outcome()
+/// @return whether the positions are finite and a predictive space is valid.
+bool Demo::describe_scene()
 {
     check_space();
     leave_space();
     const Census census = take_census(place_.space);
-    std::cout << options_.program << '\n'
-              << "steps: " << steps_ << '\n'
+    std::cout << "steps: " << steps_ << '\n'
               << "bodies: " << census.bodies << '\n'
               << "geoms: " << census.geoms << '\n'
               << "pairs: " << pairs_ << '\n'
@@ -136,10 +148,9 @@ void Demo::tell_outcome()
     if (dSpaceIsPredictive(place_.space) != 0)
         std::cout << "predictive space: " << (valid_ ? "valid" : "not valid") << '\n';
     if (hand_)
-        std::cout << "probe: " << hand_->name() << '\n'
-                  << "steps with a force: " << hand_->frames_with_force() << '\n'
+        std::cout << "steps with a force: " << hand_->frames_with_force() << '\n'
                   << "largest force: " << hand_->largest_force() << " N\n";
-    well_ = census.finite && valid_;
+    return census.finite && valid_;
 }
 
 void Demo::run(int argc, char **argv, int width, int height, dsFunctions &functions)
@@ -155,10 +166,9 @@ void Demo::run(int argc, char **argv, int width, int height, dsFunctions &functi
         return 0;
     });
     dsSimulationLoop(argc, argv, width, height, &around);
-    if (options_.headless)
-        tell_outcome();
+    const bool ended_well = !headless_ || describe_scene();
     hand_.reset();
-    if (!well_)
+    if (!ended_well)
         std::exit(EXIT_FAILURE);
 }
 
@@ -182,7 +192,7 @@ using ode_predictive_space::ode_demos::guarded;
 
 void demoProbeOptions(int argc, char **argv)
 {
-    guarded([&] { demo.set_options(ode_predictive_space::ode_demos::read_options(argc, argv)); });
+    guarded([&] { demo.read_options(argc, argv); });
 }
 
 void demoProbeSpace(dSpaceID space, const dReal *bounds)

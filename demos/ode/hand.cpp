@@ -42,7 +42,7 @@ Vector3 middle_of(dGeomID geom)
 } // namespace
 
 Hand::Hand(const std::string &device)
-    : name_(device), device_(haptics::make_device(device)), mouse_(dynamic_cast<haptics::MouseDevice *>(device_.get()))
+    : device_(haptics::make_device(device)), mouse_(dynamic_cast<haptics::MouseDevice *>(device_.get()))
 {
     device_->open();
 }
@@ -115,20 +115,11 @@ bool Hand::touch(dGeomID first, dGeomID second)
     if (!probe_ || (first != probe_->geom() && second != probe_->geom()))
         return false;
     const dGeomID other = first == probe_->geom() ? second : first;
-    if (dGeomIsSpace(other) != 0)
-    {
-        touch_inside(reinterpret_cast<dSpaceID>(other));
-        return true;
-    }
-    return dGeomGetClass(other) != dRayClass && probe_->touch(first, second);
-}
-
-void Hand::touch_inside(dSpaceID space)
-{
-    const auto near = [](void *hand, dGeomID first, dGeomID second) {
-        static_cast<Hand *>(hand)->touch(first, second);
-    };
-    dSpaceCollide2(probe_->geom(), reinterpret_cast<dGeomID>(space), this, near);
+    if (dGeomIsSpace(other) == 0)
+        return dGeomGetClass(other) != dRayClass && probe_->touch(first, second);
+    const auto near = [](void *hand, dGeomID one, dGeomID another) { static_cast<Hand *>(hand)->touch(one, another); };
+    dSpaceCollide2(probe_->geom(), other, this, near);
+    return true;
 }
 
 void Hand::draw()
@@ -182,11 +173,9 @@ void Hand::pointer(const dsPointerEvent &event)
 {
     if (mouse_ == nullptr)
         return;
-    if (has_pointer_ && event.buttons == 0)
-        mouse_->pointer(event.x - last_x_, event.y - last_y_);
+    if (last_pointer_ && event.buttons == 0)
+        mouse_->pointer(event.x - last_pointer_->x, event.y - last_pointer_->y);
     mouse_->wheel(event.wheel);
-    has_pointer_ = true;
-    last_x_ = event.x;
-    last_y_ = event.y;
+    last_pointer_ = event;
 }
 } // namespace ode_predictive_space::ode_demos

@@ -9,6 +9,7 @@
 #include <deque>
 #include <drawstuff/drawstuff.h>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ode_predictive_space::ode_demos
@@ -50,7 +51,6 @@ public:
     /// From drawstuff's callback. With a button held, the camera moves instead of the probe.
     void pointer(const dsPointerEvent &event);
 
-    const std::string &name() const { return name_; }
     int frames_with_force() const { return frames_with_force_; }
     double largest_force() const { return largest_force_; } ///< N, in the scene
 
@@ -58,20 +58,16 @@ private:
     void make_probe(const Place &place);
     double hand_stiffness() const;
     haptics::WorkspacePlacement placement_in(const Place &place) const;
-    void touch_inside(dSpaceID space);
     void draw_force() const;
     void draw_what_comes_next();
 
-    std::string name_;
     std::unique_ptr<haptics::Device> device_;
     haptics::MouseDevice *mouse_; ///< null for other devices
     std::unique_ptr<haptics::HapticProbe> probe_;
     double radius_ = 0; ///< m; of the probe
     double time_ = 0;   ///< s; of the hand
     std::deque<Vector3> trail_;
-    bool has_pointer_ = false;
-    int last_x_ = 0;
-    int last_y_ = 0;
+    std::optional<dsPointerEvent> last_pointer_;
     int frames_with_force_ = 0;
     double largest_force_ = 0;
 };

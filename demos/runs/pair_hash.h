@@ -8,15 +8,8 @@ namespace ode_predictive_space::worlds
 /// A hash of a set of pairs. It does not depend on their order, but on the number of times that each is in it.
 std::uint64_t hash_pairs(const std::vector<IndexPair> &pairs);
 
-class PairHash
-{
-public:
-    void add_tick(std::uint64_t hash_of_pairs);
-    std::uint64_t value() const { return value_; }
-
-private:
-    std::uint64_t value_ = 0;
-};
+/// A hash of successive ticks. @param hashes_of_pairs one for each tick.
+std::uint64_t hash_ticks(const std::vector<std::uint64_t> &hashes_of_pairs);
 } // namespace ode_predictive_space::worlds
 
 #endif

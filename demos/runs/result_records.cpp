@@ -4,29 +4,50 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 namespace ode_predictive_space::worlds
 {
-nlohmann::json record_of(const WorldRun &run, const WorldSpec &spec)
+namespace
 {
-    const Statistics times = summarise(run.collide_times());
-    return {{"scene", spec.name},
-            {"n", spec.objects},
-            {"space", run.name()},
-            {"seed", spec.seed},
-            {"ticks", run.ticks()},
-            {"measured_ticks", run.measured_ticks()},
-            {"mean_us", times.mean},
-            {"median_us", times.median},
-            {"p99_us", times.p99},
-            {"p999_us", times.p999},
-            {"max_us", times.max},
-            {"pairs", run.pairs()},
-            {"pair_hash", hexadecimal(run.pair_hash())},
-            {"false_pairs", run.false_pairs()},
-            {"contacts", run.contacts()}};
+std::string cell(const nlohmann::json &record, const std::string &field)
+{
+    if (!record.contains(field))
+        return "-";
+    const nlohmann::json &value = record.at(field);
+    if (value.is_number_float())
+        return fixed(value, 2);
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void check(const std::ofstream &out, const std::string &file)
+{
+    if (!out)
+        throw std::runtime_error(file + " cannot be written: " + std::strerror(errno ? errno : EIO));
+}
+} // namespace
+
+void print_records(std::ostream &out, const nlohmann::json &records, const std::vector<std::string> &fields)
+{
+    std::vector<std::vector<std::string>> rows{fields};
+    for (const nlohmann::json &record : records)
+    {
+        rows.emplace_back();
+        for (const std::string &field : fields)
+            rows.back().push_back(cell(record, field));
+    }
+    print_table(out, rows);
+}
+
+void check_writable(const std::string &file)
+{
+    const bool existed = std::filesystem::exists(file);
+    errno = 0;
+    check(std::ofstream(file, std::ios::app), file);
+    if (!existed)
+        std::filesystem::remove(file);
 }
 
 void write_json(const std::string &file, const nlohmann::json &value)
@@ -35,7 +56,6 @@ void write_json(const std::string &file, const nlohmann::json &value)
     std::ofstream out(file);
     out << value.dump(2) << '\n';
     out.close();
-    if (!out)
-        throw std::runtime_error(file + " cannot be written: " + std::strerror(errno ? errno : EIO));
+    check(out, file);
 }
 } // namespace ode_predictive_space::worlds

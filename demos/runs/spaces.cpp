@@ -1,15 +1,17 @@
 #include "demos/runs/spaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <ode_predictive_space/predictive_space.h>
 #include <stdexcept>
-#include <utility>
 
 namespace ode_predictive_space::worlds
 {
 namespace
 {
+constexpr std::array names = {
+    "predictive-box", "predictive-sphere", "predictive-shape", "simple", "hash", "quadtree", "sap"};
+
 dSpaceID make_quadtree(const WorldFactory &factory)
 {
     const Bounds bounds = factory.bounds();
@@ -21,7 +23,37 @@ dSpaceID make_quadtree(const WorldFactory &factory)
     return dQuadTreeSpaceCreate(nullptr, centre, half_extent, depth);
 }
 
-dSpaceID try_to_make_space(SpaceKind kind, const WorldFactory &factory)
+dSpaceID make_predictive(int proximity)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    if (space == nullptr)
+        throw std::runtime_error("the predictive space could not be made");
+    dPredictiveSpaceSetProximity(space, proximity);
+    return space;
+}
+} // namespace
+
+const std::vector<SpaceKind> &all_spaces()
+{
+    static const std::vector<SpaceKind> kinds = {SpaceKind::predictive, SpaceKind::simple, SpaceKind::hash,
+                                                 SpaceKind::quadtree, SpaceKind::sweep_and_prune};
+    return kinds;
+}
+
+std::string space_name(SpaceKind kind)
+{
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+SpaceKind space_named(const std::string &name)
+{
+    const auto found = std::find(names.begin(), names.end(), name == "predictive" ? "predictive-box" : name);
+    if (found == names.end())
+        throw std::invalid_argument("there is no space named \"" + name + "\"");
+    return static_cast<SpaceKind>(found - names.begin());
+}
+
+dSpaceID make_space(SpaceKind kind, const WorldFactory &factory)
 {
     switch (kind)
     {
@@ -33,122 +65,24 @@ dSpaceID try_to_make_space(SpaceKind kind, const WorldFactory &factory)
         return make_quadtree(factory);
     case SpaceKind::sweep_and_prune:
         return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
-    case SpaceKind::predictive:
     case SpaceKind::predictive_by_spheres:
+        return make_predictive(dPredictiveProximitySphere);
     case SpaceKind::predictive_by_shapes:
-        break;
-    }
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    if (space != nullptr && kind == SpaceKind::predictive_by_spheres)
-        dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
-    if (space != nullptr && kind == SpaceKind::predictive_by_shapes)
-        dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
-    return space;
-}
-
-Family family_of(SpaceKind kind)
-{
-    return is_predictive(kind) ? Family::predictive : Family::ode;
-}
-
-class SpaceContender : public Contender
-{
-public:
-    SpaceContender(SpaceKind kind, OwnedSpace space)
-        : Contender(space_name(kind), family_of(kind), std::move(space)), kind_(kind)
-    {}
-
-    bool exact() const override
-    {
-        return kind_ != SpaceKind::predictive_by_spheres && kind_ != SpaceKind::predictive_by_shapes;
-    }
-
-    // The sweep-and-prune space rounds its first axis to single precision: it reports pairs with a gap in the eighth digit.
-    std::size_t finish(PairList &list) override
-    {
-        return kind_ == SpaceKind::sweep_and_prune ? list.drop_pairs_apart() : 0;
-    }
-
-private:
-    SpaceKind kind_;
-};
-} // namespace
-
-bool is_predictive(SpaceKind kind)
-{
-    return kind == SpaceKind::predictive || kind == SpaceKind::predictive_by_spheres ||
-           kind == SpaceKind::predictive_by_shapes;
-}
-
-const std::vector<SpaceKind> &all_spaces()
-{
-    static const std::vector<SpaceKind> kinds = {SpaceKind::predictive, SpaceKind::simple, SpaceKind::hash,
-                                                 SpaceKind::quadtree, SpaceKind::sweep_and_prune};
-    return kinds;
-}
-
-std::string space_name(SpaceKind kind)
-{
-    switch (kind)
-    {
-    case SpaceKind::simple:
-        return "simple";
-    case SpaceKind::hash:
-        return "hash";
-    case SpaceKind::quadtree:
-        return "quadtree";
-    case SpaceKind::sweep_and_prune:
-        return "sap";
-    case SpaceKind::predictive_by_spheres:
-        return "predictive-sphere";
-    case SpaceKind::predictive_by_shapes:
-        return "predictive-shape";
+        return make_predictive(dPredictiveProximityShape);
     case SpaceKind::predictive:
         break;
     }
-    return "predictive-box";
-}
-
-SpaceKind space_named(const std::string &name)
-{
-    if (name == "predictive")
-        return SpaceKind::predictive;
-    for (const SpaceKind kind :
-         {SpaceKind::predictive, SpaceKind::predictive_by_spheres, SpaceKind::predictive_by_shapes, SpaceKind::simple,
-          SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
-    {
-        if (space_name(kind) == name)
-            return kind;
-    }
-    throw std::invalid_argument("there is no space named \"" + name + "\"");
-}
-
-dSpaceID make_space(SpaceKind kind, const WorldFactory &factory)
-{
-    const dSpaceID space = try_to_make_space(kind, factory);
-    if (space == nullptr)
-        throw std::runtime_error("ODE could not make a " + space_name(kind) + " space");
-    return space;
+    return make_predictive(dPredictiveProximityBox);
 }
 
 std::unique_ptr<Contender> make_contender(SpaceKind kind, const WorldFactory &factory)
 {
-    return make_contender(kind, OwnedSpace(make_space(kind, factory)));
-}
-
-std::unique_ptr<Contender> make_contender(SpaceKind kind, OwnedSpace space)
-{
-    return std::make_unique<SpaceContender>(kind, std::move(space));
+    return std::make_unique<Contender>(space_name(kind), OwnedSpace(make_space(kind, factory)));
 }
 
 OdeSession::OdeSession()
 {
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
-}
-
-OdeSession::~OdeSession()
-{
-    dCloseODE();
 }
 } // namespace ode_predictive_space::worlds

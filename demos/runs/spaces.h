@@ -23,26 +23,22 @@ enum class SpaceKind
 /// The kinds that report the same pairs: all but predictive_by_spheres and predictive_by_shapes.
 const std::vector<SpaceKind> &all_spaces();
 
-bool is_predictive(SpaceKind kind);
-
 std::string space_name(SpaceKind kind);
 
 /// "predictive" is another name of "predictive-box". @throws std::invalid_argument when no space has this name.
 SpaceKind space_named(const std::string &name);
 
-/// The quadtree needs the bounds and the depth in advance. @throws std::runtime_error when ODE refuses to make the space.
+/// The quadtree needs the bounds and the depth in advance. @throws std::runtime_error when the plugin refuses to make the space.
 dSpaceID make_space(SpaceKind kind, const WorldFactory &factory);
 
 std::unique_ptr<Contender> make_contender(SpaceKind kind, const WorldFactory &factory);
-
-std::unique_ptr<Contender> make_contender(SpaceKind kind, OwnedSpace space);
 
 /// ODE is initialised while this object lives.
 class OdeSession
 {
 public:
     OdeSession();
-    ~OdeSession();
+    ~OdeSession() { dCloseODE(); }
     OdeSession(const OdeSession &) = delete;
     OdeSession &operator=(const OdeSession &) = delete;
 };

@@ -16,21 +16,9 @@ std::string fixed(double number, int decimals);
 
 std::string hexadecimal(std::uint64_t hash);
 
-/// Columns as wide as their widest cell, the first aligned on the left, the others on the right.
-class Table
-{
-public:
-    using Row = std::vector<std::string>;
-
-    explicit Table(Row head) : rows_{std::move(head)} {}
-
-    void add(Row row) { rows_.push_back(std::move(row)); }
-
-    void print(std::ostream &out) const;
-
-private:
-    std::vector<Row> rows_;
-};
+/// Columns are as wide as their widest cell, the first aligned on the left, the others on the right. @param rows the first is
+/// the head; all have as many cells.
+void print_table(std::ostream &out, const std::vector<std::vector<std::string>> &rows);
 } // namespace ode_predictive_space::worlds
 
 #endif

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ode_predictive_space/predictive_space.h>
-#include <utility>
 
 namespace ode_predictive_space::worlds
 {
@@ -12,18 +10,15 @@ namespace
 constexpr int ticks_per_turn = 100;
 constexpr double microseconds = 1e6;
 
-using TickHashes = const std::vector<std::uint64_t> &(WorldRun::*)() const;
+using TickHashes = std::vector<std::uint64_t>;
 
-int first_difference(const std::vector<const WorldRun *> &runs, TickHashes hashes)
+int first_difference(const std::vector<const TickHashes *> &runs)
 {
-    const auto ticks = [hashes](const WorldRun *run) { return (run->*hashes)().size(); };
-    const auto longest =
-        std::max_element(runs.begin(), runs.end(), [&](const auto *a, const auto *b) { return ticks(a) < ticks(b); });
-    for (std::size_t tick = 0; longest != runs.end() && tick < ticks(*longest); ++tick)
+    for (std::size_t tick = 0; !runs.empty() && tick < runs.front()->size(); ++tick)
     {
-        for (const WorldRun *run : runs)
+        for (const TickHashes *run : runs)
         {
-            if (tick < ticks(run) && (run->*hashes)()[tick] != ((*longest)->*hashes)()[tick])
+            if (run->at(tick) != runs.front()->at(tick))
                 return static_cast<int>(tick);
         }
     }
@@ -42,24 +37,8 @@ double clock_overhead()
     return summarise(intervals).median;
 }
 
-void ProbeLog::add(const ProbeReport &report)
-{
-    if (report.touched.empty())
-        return;
-    touched.insert(report.touched.begin(), report.touched.end());
-    ++ticks_in_touch;
-    force_sum += report.force.norm();
-    max_force = std::max(max_force, report.force.norm());
-}
-
-WorldRun::WorldRun(SpaceKind kind, const WorldFactory &factory) : WorldRun(make_contender(kind, factory), factory) {}
-
 WorldRun::WorldRun(std::unique_ptr<Contender> contender, const WorldFactory &factory)
-    : contender_(std::move(contender)), scene_(factory.make(contender_->space())), clock_overhead_(clock_overhead())
-{}
-
-WorldRun::WorldRun(std::unique_ptr<Contender> contender, std::unique_ptr<World> scene)
-    : contender_(std::move(contender)), scene_(std::move(scene)), clock_overhead_(clock_overhead())
+    : contender_(std::move(contender)), scene_(factory.make(contender_->space()))
 {}
 
 // The space is destroyed first and leaves its geoms to the scene: some spaces search or sort all their geoms whenever one
@@ -94,8 +73,8 @@ void WorldRun::find_contacts()
             touching_pairs_.emplace_back(geom_index(one), geom_index(other));
     }
     const double seconds = seconds_between(start, Clock::now());
-    contact_times_.push_back(microseconds * std::max(0.0, seconds - clock_overhead_));
-    calls_ += list_.size();
+    measured_.contact_times.push_back(microseconds * std::max(0.0, seconds - clock_overhead_));
+    measured_.calls += list_.size();
 }
 
 // Some colliders find contacts although the boxes are apart: a space need not report such a pair.
@@ -104,21 +83,14 @@ void WorldRun::note_touching(const std::vector<IndexPair> &pairs)
     const auto is_false = [&](const IndexPair &pair) { return !std::binary_search(pairs.begin(), pairs.end(), pair); };
     touching_pairs_.erase(std::remove_if(touching_pairs_.begin(), touching_pairs_.end(), is_false),
                           touching_pairs_.end());
-    touching_ += touching_pairs_.size();
-    touching_hashes_.push_back(hash_pairs(touching_pairs_));
+    measured_.touching += touching_pairs_.size();
+    reported_.touching_hashes.push_back(hash_pairs(touching_pairs_));
 }
 
-double WorldRun::turn(int ticks, double seconds)
+void WorldRun::turn(int ticks)
 {
-    contender_->prepare(ticks);
-    const Clock::time_point start = Clock::now();
-    double used = 0;
-    for (int tick = 0; tick < ticks && used < seconds; ++tick)
-    {
+    for (int tick = 0; tick < ticks; ++tick)
         make_tick();
-        used = seconds_between(start, Clock::now());
-    }
-    return used;
 }
 
 void WorldRun::make_tick()
@@ -130,91 +102,56 @@ void WorldRun::make_tick()
     const Clock::time_point collided = Clock::now();
     if (measuring_contacts_)
         find_contacts();
-    false_pairs_ += contender_->finish(list_);
+    reported_.false_pairs += contender_->finish(list_);
     const std::vector<IndexPair> pairs = list_.sorted();
     if (measuring_contacts_)
         note_touching(pairs);
     const Clock::time_point read = Clock::now();
     scene_->respond(pairs);
     const Clock::time_point responded = Clock::now();
-    contender_->end_tick();
 
-    collide_times_.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
-    tick_times_.push_back(microseconds * (seconds_between(start, collided) + seconds_between(read, responded)));
-    pairs_ += pairs.size();
-    contacts_ += scene_->contacts();
-    tick_hashes_.push_back(hash_pairs(pairs));
-    if (scene_->probe() != nullptr)
-        probe_log_.add(*scene_->probe());
-    check();
-}
-
-void WorldRun::start_measuring()
-{
-    collide_times_.clear();
-    tick_times_.clear();
-    contact_times_.clear();
-    calls_ = 0;
-    touching_ = 0;
-}
-
-void WorldRun::check()
-{
-    const dSpaceID space = contender_->space();
-    if (checking_ && dSpaceIsPredictive(space) != 0 && dPredictiveSpaceValidate(space) == 0)
-        invariant_held_ = false;
-}
-
-std::uint64_t WorldRun::pair_hash() const
-{
-    PairHash hash;
-    for (const std::uint64_t tick_hash : tick_hashes_)
-        hash.add_tick(tick_hash);
-    return hash.value();
+    measured_.collide_times.push_back(microseconds * std::max(0.0, seconds_between(moved, collided) - clock_overhead_));
+    measured_.tick_times.push_back(microseconds *
+                                   (seconds_between(start, collided) + seconds_between(read, responded)));
+    reported_.pairs += pairs.size();
+    reported_.contacts += scene_->contacts();
+    reported_.tick_hashes.push_back(hash_pairs(pairs));
 }
 
 WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory)
 {
     WorldRuns runs;
     for (const SpaceKind kind : kinds)
-        runs.push_back(std::make_unique<WorldRun>(kind, factory));
+        runs.push_back(std::make_unique<WorldRun>(make_contender(kind, factory), factory));
     return runs;
 }
 
-void run_by_turns(const WorldRuns &runs, int ticks, const std::function<void(int)> &progress, double seconds_each)
+void run_by_turns(const WorldRuns &runs, int ticks)
 {
-    std::vector<double> seconds_left(runs.size(), seconds_each);
     std::size_t first = 0;
-    for (int done = 0; done < ticks; ++first)
+    for (int done = 0; done < ticks; done += ticks_per_turn, ++first)
     {
-        const int turn = std::min(ticks_per_turn, ticks - done);
         for (std::size_t i = 0; i < runs.size(); ++i)
-        {
-            const std::size_t next = (first + i) % runs.size();
-            seconds_left[next] -= seconds_left[next] > 0 ? runs[next]->turn(turn, seconds_left[next]) : 0;
-        }
-        done += turn;
-        if (progress)
-            progress(done);
+            runs[(first + i) % runs.size()]->turn(std::min(ticks_per_turn, ticks - done));
     }
 }
 
 int first_difference(const WorldRuns &runs)
 {
-    std::vector<const WorldRun *> exact;
+    std::vector<const TickHashes *> exact;
     for (const auto &run : runs)
     {
         if (run->contender().exact())
-            exact.push_back(run.get());
+            exact.push_back(&run->reported().tick_hashes);
     }
-    return first_difference(exact, &WorldRun::tick_hashes);
+    return first_difference(exact);
 }
 
 int first_difference_of_contacts(const WorldRuns &runs)
 {
-    std::vector<const WorldRun *> all;
+    std::vector<const TickHashes *> all;
     for (const auto &run : runs)
-        all.push_back(run.get());
-    return first_difference(all, &WorldRun::touching_hashes);
+        all.push_back(&run->reported().touching_hashes);
+    return first_difference(all);
 }
 } // namespace ode_predictive_space::worlds

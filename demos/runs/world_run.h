@@ -6,10 +6,7 @@
 #include "demos/worlds/world.h"
 
 #include <chrono>
-#include <functional>
-#include <limits>
 #include <memory>
-#include <set>
 #include <vector>
 
 namespace ode_predictive_space::worlds
@@ -21,116 +18,75 @@ inline double seconds_between(Clock::time_point begin, Clock::time_point end)
     return std::chrono::duration<double>(end - begin).count();
 }
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 /// The time that reading the clock adds to an interval between two readings, in seconds (the median of many).
 double clock_overhead();
 
-struct ProbeLog
+/// Durations of ticks in microseconds, and numbers, since start_measuring().
+struct Measured
 {
-    void add(const ProbeReport &report);
+    std::vector<double> collide_times; ///< of each dSpaceCollide()
+    std::vector<double> tick_times;    ///< of each whole tick: motion, step of the world, collide, contacts
+    std::vector<double> contact_times; ///< with measure_contacts(): of the dCollide() calls of each tick
+    std::uint64_t calls = 0;           ///< with measure_contacts(): of dCollide()
+    std::uint64_t touching = 0;        ///< with measure_contacts(): pairs with contacts, summed over the ticks
+};
 
-    std::set<std::uint32_t> touched{}; ///< numbers of all geoms that it touched
-    std::size_t ticks_in_touch = 0;
-    double force_sum = 0; ///< N, over the ticks in touch
-    double max_force = 0; ///< N
+/// Summed over all ticks since the beginning, or one value per tick.
+struct Reported
+{
+    std::uint64_t pairs = 0;
+    std::uint64_t contacts = 0;
+    /// Pairs that were reported although their boxes were apart, and are not counted in `pairs`. They are searched only in the
+    /// sweep-and-prune space; for the others every reported pair is counted.
+    std::uint64_t false_pairs = 0;
+    std::vector<std::uint64_t> tick_hashes;     ///< of the pairs
+    std::vector<std::uint64_t> touching_hashes; ///< with measure_contacts(): of the pairs with contacts
+
+    std::size_t ticks() const { return tick_hashes.size(); }
 };
 
 /// A contender with its own copy of a scene.
 class WorldRun
 {
 public:
-    WorldRun(SpaceKind kind, const WorldFactory &factory);
     WorldRun(std::unique_ptr<Contender> contender, const WorldFactory &factory);
-
-    /// Runs a scene that the caller has made, whose geoms are in the contender's space.
-    WorldRun(std::unique_ptr<Contender> contender, std::unique_ptr<World> scene);
 
     ~WorldRun();
 
-    /// Makes ticks: motion, dSpaceCollide(), contacts. Ends with the tick that uses up `seconds`. @return the seconds used.
-    double turn(int ticks, double seconds = unlimited);
-
-    void tick() { turn(1); }
+    /// Makes ticks: motion, dSpaceCollide(), contacts.
+    void turn(int ticks);
 
     /// Forget the times so far, but not the pairs: the ticks so far were warm-up.
-    void start_measuring();
+    void start_measuring() { measured_ = {}; }
 
     /// In place of dSpaceCollide(), calls dSpaceCollide2() for the first `queries` of the scene's queries in each tick, as a
-    /// program that needs only what is near some geoms. Times and pairs below are then those of these calls.
+    /// program that needs only what is near some geoms. Times and pairs are then those of these calls.
     void ask_only(std::size_t queries) { queries_ = queries; }
 
     /// In each tick, calls dCollide() for all reported pairs right after dSpaceCollide(), and measures that: the narrow phase
     /// of a program. The scene, which calls it for the pairs in its own order, does so in any case.
     void measure_contacts() { measuring_contacts_ = true; }
 
-    /// Check the space by brute force after each tick, if it is a predictive one.
-    void check_every_tick() { checking_ = true; }
-
     const Contender &contender() const { return *contender_; }
     const std::string &name() const { return contender_->name(); }
-    const World &scene() const { return *scene_; }
-
-    /// Duration of each dSpaceCollide() since start_measuring(), in microseconds.
-    const std::vector<double> &collide_times() const { return collide_times_; }
-
-    /// Duration of each whole tick since start_measuring(), in microseconds: motion, step of the world, collide, contacts.
-    const std::vector<double> &tick_times() const { return tick_times_; }
-
-    /// With measure_contacts(): duration of the dCollide() calls of each tick since start_measuring(), in microseconds.
-    const std::vector<double> &contact_times() const { return contact_times_; }
-    std::uint64_t calls() const { return calls_; } ///< of dCollide() since start_measuring()
-    std::uint64_t touching() const
-    {
-        return touching_;
-    } ///< pairs with contacts, summed over the ticks since start_measuring()
-    /// One hash per tick, of the pairs with contacts.
-    const std::vector<std::uint64_t> &touching_hashes() const { return touching_hashes_; }
-
-    const ProbeLog &probe_log() const { return probe_log_; }
-
-    std::size_t ticks() const { return tick_hashes_.size(); }            ///< since the beginning
-    std::size_t measured_ticks() const { return collide_times_.size(); } ///< since start_measuring()
-    std::uint64_t pairs() const { return pairs_; }                       ///< summed over ticks()
-    std::uint64_t contacts() const { return contacts_; }                 ///< summed over ticks()
-    std::uint64_t pair_hash() const;                                     ///< of all ticks()
-
-    /// Pairs that were reported although their boxes were apart, and are not counted in pairs(). They are searched only in the
-    /// sweep-and-prune space; for the others every reported pair is counted.
-    std::uint64_t false_pairs() const { return false_pairs_; }
-
-    bool invariant_held() const { return invariant_held_; } ///< in all checks of check_every_tick()
-
-    /// One hash per tick, to find the tick at which two runs diverge.
-    const std::vector<std::uint64_t> &tick_hashes() const { return tick_hashes_; }
+    const Measured &measured() const { return measured_; }
+    const Reported &reported() const { return reported_; }
 
 private:
     void make_tick();
     void collide();
     void find_contacts();
     void note_touching(const std::vector<IndexPair> &pairs);
-    void check();
 
     std::unique_ptr<Contender> contender_; // before the scene, whose geoms are in its space
     std::unique_ptr<World> scene_;
     PairList list_;
     std::size_t queries_ = 0; ///< 0: dSpaceCollide()
     bool measuring_contacts_ = false;
-    bool checking_ = false;
-    bool invariant_held_ = true;
-    double clock_overhead_;
-    std::uint64_t pairs_ = 0;
-    std::uint64_t contacts_ = 0;
-    std::uint64_t false_pairs_ = 0;
-    std::vector<double> collide_times_;
-    std::vector<double> tick_times_;
-    std::vector<double> contact_times_;
+    double clock_overhead_ = clock_overhead();
     std::vector<IndexPair> touching_pairs_; // in this tick
-    std::uint64_t calls_ = 0;
-    std::uint64_t touching_ = 0;
-    std::vector<std::uint64_t> touching_hashes_;
-    ProbeLog probe_log_;
-    std::vector<std::uint64_t> tick_hashes_;
+    Measured measured_;
+    Reported reported_;
 };
 
 using WorldRuns = std::vector<std::unique_ptr<WorldRun>>;
@@ -139,16 +95,13 @@ WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &fac
 
 /// Makes `ticks` ticks in each run, in alternating blocks of some hundred; each round begins with another run. The load, clock
 /// frequency and temperature then affect all runs alike, and a run finds its data in the cache as it would alone.
-/// @param progress called after each round with the number of ticks done. @param seconds_each after it, a run makes no more
-/// ticks.
-void run_by_turns(const WorldRuns &runs, int ticks, const std::function<void(int)> &progress = {},
-                  double seconds_each = unlimited);
+void run_by_turns(const WorldRuns &runs, int ticks);
 
-/// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is
-/// none. A run with fewer ticks than another is compared in these ticks.
+/// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is none.
+/// The runs have made the same number of ticks.
 int first_difference(const WorldRuns &runs);
 
-/// The first tick in which the pairs with contacts differ, among all contenders with measure_contacts(), exact or not.
+/// The first tick in which the pairs with contacts differ, among all contenders, exact or not: all with measure_contacts().
 int first_difference_of_contacts(const WorldRuns &runs);
 } // namespace ode_predictive_space::worlds
 

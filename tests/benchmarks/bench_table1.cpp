@@ -46,8 +46,8 @@ struct Means
 
 Means means_of(const WorldRun &run)
 {
-    const double broad = summarise(run.collide_times()).mean;
-    return {broad, broad + summarise(run.contact_times()).mean, summarise(run.tick_times()).mean};
+    const double broad = summarise(run.measured().collide_times).mean;
+    return {broad, broad + summarise(run.measured().contact_times).mean, summarise(run.measured().tick_times).mean};
 }
 
 std::vector<Means> measure(int objects, const std::string &ours, int ticks)

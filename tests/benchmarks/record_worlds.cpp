@@ -1,6 +1,5 @@
 // Records each dSpaceCollide() and dSpaceCollide2() of a world on its predictive space, for ode-predictive replay.
 
-#include "demos/runs/command_line.h"
 #include "demos/runs/spaces.h"
 #include "ode_predictive_space/recording/recorder.h"
 #include "tests/benchmarks/rows.h"
@@ -155,7 +154,7 @@ int run_as_asked(int argc, char **argv)
     }
     catch (const CLI::ParseError &end)
     {
-        return end_of_parsing(app, end);
+        return app.exit(end) == 0 ? 0 : 2;
     }
     if (list)
     {

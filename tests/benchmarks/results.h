@@ -1,10 +1,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_RESULTS_H
 
-#include "demos/runs/command_line.h"
 #include "demos/runs/result_records.h"
 #include "demos/runs/spaces.h"
-#include "demos/runs/table.h"
 #include "tests/benchmarks/which_ode.h"
 
 #include <CLI/CLI.hpp>
@@ -18,23 +16,10 @@ namespace ode_predictive_space::benchmarks
 {
 inline void print_records(const nlohmann::json &records)
 {
-    worlds::Table::Row head;
+    std::vector<std::string> fields;
     for (const auto &[name, value] : records.at(0).items())
-        head.push_back(name);
-    worlds::Table table(head);
-    for (const nlohmann::json &record : records)
-    {
-        worlds::Table::Row row;
-        for (const std::string &name : head)
-        {
-            const nlohmann::json &value = record.at(name);
-            row.push_back(value.is_string()         ? value.get<std::string>()
-                          : value.is_number_float() ? worlds::fixed(value, 2)
-                                                    : value.dump());
-        }
-        table.add(row);
-    }
-    table.print(std::cout);
+        fields.push_back(name);
+    worlds::print_records(std::cout, records, fields);
     std::cout << '\n' << std::flush;
 }
 
@@ -59,7 +44,7 @@ int run_program(int argc, char **argv, const char *text, AddOptions add_options,
     }
     catch (const CLI::ParseError &end)
     {
-        return worlds::end_of_parsing(app, end);
+        return app.exit(end) == 0 ? 0 : 2;
     }
     catch (const std::exception &failure)
     {

@@ -1,5 +1,4 @@
 #include "demos/haptic/haptic_run.h"
-#include "demos/haptic/probe_scenes.h"
 #include "demos/runs/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 
@@ -37,11 +36,7 @@ struct Start
 
 Start start_of(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
 {
-    worlds::WorldSpec spec;
-    spec.name = scene;
-    spec.objects = objects;
-    spec.seed = seed;
-    const worlds::WorldFactory factory = factory_for_probe(spec);
+    const worlds::WorldFactory factory({scene, objects, seed, -1, false});
     Options options;
     options.spaces = {"predictive"};
     DemoDevice device(haptics::make_device(device_name, seed));

@@ -4,8 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "demos/haptic/options.h"
-#include "demos/haptic/probe_scenes.h"
-#include "demos/haptic/run_summary.h"
+#include "demos/haptic/report.h"
+#include "demos/runs/spaces.h"
+#include "ode_predictive_space/haptics/drivers.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch.h"
 
@@ -31,14 +32,14 @@ protected:
 TEST_F(ProbeRun, FeelsTheSameInEverySpace)
 {
     const std::string options = "--objects 60 --seconds 1.2 --space ";
-    const nlohmann::json predictive = results(options + "predictive").at("force");
+    const nlohmann::json predictive = results(options + "predictive").at("servo");
     EXPECT_GT(predictive.at("ticks_with_force").get<int>(), 0);
     for (const char *space : {"hash", "quadtree", "simple", "sap"})
     {
         // The sums differ in the last bits, as the order of touches depends on the space.
-        const nlohmann::json force = results(options + space).at("force");
+        const nlohmann::json force = results(options + space).at("servo");
         EXPECT_EQ(force.at("ticks_with_force"), predictive.at("ticks_with_force")) << space;
-        EXPECT_NEAR(force.at("sum_n").get<double>(), predictive.at("sum_n").get<double>(), 1e-6) << space;
+        EXPECT_NEAR(force.at("force_sum").get<double>(), predictive.at("force_sum").get<double>(), 1e-6) << space;
     }
 }
 
@@ -48,7 +49,7 @@ TEST_F(ProbeRun, ReplaysTheForcesToTheLastBit)
     results(options + "--record '" + file("run.txt") + "'");
     const nlohmann::json replay = results(options + "--replay '" + file("run.txt") + "'").at("replay");
     EXPECT_EQ(replay.at("ticks"), 1200);
-    EXPECT_EQ(replay.at("max_n"), 0.0);
+    EXPECT_EQ(replay.at("force_error").at("max"), 0.0);
 }
 
 TEST_F(ProbeRun, RunsInEverySceneThatItOffers)
@@ -97,9 +98,29 @@ TEST_F(ProbeRun, PrintsNothingEmpty)
         for (std::string line; std::getline(lines, line);)
         {
             line.erase(0, line.rfind('\r') + 1);
-            EXPECT_FALSE(contains(line, "Of 0 ") || contains(line, "touched 0") || contains(line, "in 0.00 %")) << line;
+            EXPECT_FALSE(contains(line, "of 0 ") || contains(line, "in 0.00 %")) << line;
         }
     }
+}
+
+double force_sum(double stiffness)
+{
+    const worlds::OdeSession ode;
+    Options options;
+    options.spaces = {"predictive"};
+    options.fast = true;
+    options.seconds = 1.2;
+    DemoDevice device(haptics::make_device("hand-path", options.seed)); // it moves whatever the force is
+    RunControl control;
+    const worlds::WorldFactory factory({options.scene, 60, options.seed, -1, false});
+    HapticRun run(options, factory, device, control, [](const haptics::Notice &) {});
+    return run.run([&] { control.stiffness = stiffness; }).servo.force_sum;
+}
+
+TEST(RunControl, StiffnessIsFeltWithoutARestart)
+{
+    EXPECT_GT(force_sum(100), 0);
+    EXPECT_GT(force_sum(200), 1.5 * force_sum(100));
 }
 
 // Once, a stop by the guard was reported on standard error only.
@@ -109,11 +130,12 @@ TEST(Summary, TellsOfSafetyNotices)
     {
         RunResult result;
         result.safety_notices = notices;
-        std::ostringstream out;
-        print_summary(out, Options(), result);
+        Options options;
+        options.spaces = {"predictive"};
+        const std::string text = report_of(options, result).page.text;
         const std::string expected = std::to_string(notices) + (notices == 1 ? " notice that" : " notices that");
-        EXPECT_EQ(contains(out.str(), "Safety"), notices > 0) << out.str();
-        EXPECT_EQ(contains(out.str(), expected), notices > 0) << out.str();
+        EXPECT_EQ(contains(text, "Safety"), notices > 0) << text;
+        EXPECT_EQ(contains(text, expected), notices > 0) << text;
     }
 }
 

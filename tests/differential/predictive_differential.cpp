@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <ode/ode.h>
 
-#include "demos/runs/command_line.h"
 #include "tests/differential/comparison.h"
 
 using namespace ode_predictive_space;
@@ -84,7 +83,7 @@ int main(int argc, char **argv)
     }
     catch (const CLI::ParseError &end)
     {
-        return ode_predictive_space::worlds::end_of_parsing(app, end);
+        return app.exit(end) == 0 ? 0 : 2;
     }
     if (options.spheres || options.shapes)
         options.flat = true;

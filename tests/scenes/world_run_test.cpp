@@ -20,8 +20,8 @@ TEST_F(WorldRunTest, FindsTheFirstTickInWhichRunsDiffer)
     EXPECT_EQ(first_difference(runs), -1);
 
     WorldRuns different;
-    different.push_back(std::make_unique<WorldRun>(SpaceKind::simple, factory_));
-    different.push_back(std::make_unique<WorldRun>(SpaceKind::simple, WorldFactory({"gas", 80, 2})));
+    different.push_back(std::move(make_runs({SpaceKind::simple}, factory_).front()));
+    different.push_back(std::move(make_runs({SpaceKind::simple}, WorldFactory({"gas", 80, 2})).front()));
     run_by_turns(different, 150);
     EXPECT_EQ(first_difference(different), 0);
 }
@@ -43,27 +43,27 @@ TEST_F(WorldRunTest, PairsWithContactsAreTheSameInEveryMeasure)
     for (const auto &run : runs)
     {
         run->start_measuring();
-        EXPECT_EQ(run->calls(), 0u);
+        EXPECT_EQ(run->measured().calls, 0u);
     }
     run_by_turns(runs, 200);
     EXPECT_EQ(first_difference_of_contacts(runs), -1);
     for (const auto &run : runs)
     {
-        EXPECT_EQ(run->contact_times().size(), 200u);
-        EXPECT_EQ(run->touching_hashes().size(), 220u) << "the warm-up is compared, too";
-        EXPECT_EQ(run->touching(), runs.front()->touching());
-        EXPECT_GT(run->touching(), 0u);
-        EXPECT_GE(run->calls(), run->touching());
+        EXPECT_EQ(run->measured().contact_times.size(), 200u);
+        EXPECT_EQ(run->reported().touching_hashes.size(), 220u) << "the warm-up is compared, too";
+        EXPECT_EQ(run->measured().touching, runs.front()->measured().touching);
+        EXPECT_GT(run->measured().touching, 0u);
+        EXPECT_GE(run->measured().calls, run->measured().touching);
     }
-    EXPECT_LT(runs[1]->calls(), runs[0]->calls());
-    EXPECT_EQ(runs[2]->calls(), runs[0]->calls());
+    EXPECT_LT(runs[1]->measured().calls, runs[0]->measured().calls);
+    EXPECT_EQ(runs[2]->measured().calls, runs[0]->measured().calls);
 }
 
 TEST_F(WorldRunTest, FindsTheFirstTickInWhichContactsDiffer)
 {
     const WorldFactory factory({"mix", 60, 1});
     WorldRuns runs = contact_runs({SpaceKind::predictive_by_shapes}, factory);
-    runs.push_back(std::make_unique<WorldRun>(SpaceKind::simple, WorldFactory({"mix", 60, 2})));
+    runs.push_back(std::move(make_runs({SpaceKind::simple}, WorldFactory({"mix", 60, 2})).front()));
     runs.back()->measure_contacts();
     run_by_turns(runs, 400);
     EXPECT_GE(first_difference_of_contacts(runs), 0);

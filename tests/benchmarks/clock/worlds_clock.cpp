@@ -40,40 +40,32 @@ double time_of(const WorldRun &run, Part part, std::size_t tick)
     switch (part)
     {
     case Part::tick:
-        return run.tick_times()[tick];
+        return run.measured().tick_times[tick];
     case Part::contact:
-        return run.collide_times()[tick] + run.contact_times()[tick];
+        return run.measured().collide_times[tick] + run.measured().contact_times[tick];
     case Part::collide:
         break;
     }
-    return run.collide_times()[tick];
-}
-
-std::uint64_t touching_hash(const WorldRun &run)
-{
-    PairHash hash;
-    for (const std::uint64_t of_tick : run.touching_hashes())
-        hash.add_tick(of_tick);
-    return hash.value();
+    return run.measured().collide_times[tick];
 }
 
 void check_pairs(benchmark::State &state, const WorldRun &run, const Row &row, Part part)
 {
     const std::string what = row.name() + "/" + std::to_string(row.objects);
     if (part == Part::contact)
-        Agreement::all().check(state, "contacts of " + what, touching_hash(run));
+        Agreement::all().check(state, "contacts of " + what, hash_ticks(run.reported().touching_hashes));
     else if (run.contender().exact())
-        Agreement::all().check(state, what, run.pair_hash());
+        Agreement::all().check(state, what, hash_ticks(run.reported().tick_hashes));
 }
 
 void count_calls(benchmark::State &state, const WorldRun &run)
 {
     const auto per_tick = [&](std::uint64_t sum) {
-        return static_cast<double>(sum) / static_cast<double>(run.measured_ticks());
+        return static_cast<double>(sum) / static_cast<double>(run.measured().collide_times.size());
     };
-    state.counters["calls"] = per_tick(run.calls());
-    state.counters["touching"] = per_tick(run.touching());
-    state.counters["collide_us"] = summarise(run.collide_times()).mean;
+    state.counters["calls"] = per_tick(run.measured().calls);
+    state.counters["touching"] = per_tick(run.measured().touching);
+    state.counters["collide_us"] = summarise(run.measured().collide_times).mean;
 }
 
 void clock_world(benchmark::State &state, const Row &row, const std::string &space, Part part)
@@ -87,13 +79,13 @@ void clock_world(benchmark::State &state, const Row &row, const std::string &spa
     std::vector<double> times;
     for (auto _ : state)
     {
-        if (times.size() == run.measured_ticks())
+        if (times.size() == run.measured().collide_times.size())
             run.turn(std::min(ticks_per_turn, row.clocked.count - static_cast<int>(times.size())));
         times.push_back(time_of(run, part, times.size()));
         state.SetIterationTime(1e-6 * times.back());
     }
     count_percentiles(state, times);
-    state.counters["pairs"] = static_cast<double>(run.pairs()) / static_cast<double>(run.ticks());
+    state.counters["pairs"] = static_cast<double>(run.reported().pairs) / static_cast<double>(run.reported().ticks());
     if (part == Part::contact)
         count_calls(state, run);
     check_pairs(state, run, row, part);

@@ -53,9 +53,7 @@ private:
 class BruteForce : public worlds::Contender
 {
 public:
-    explicit BruteForce(BruteForceSpace *space)
-        : Contender("brute", worlds::Family::reference, worlds::OwnedSpace(space)), brute_(*space)
-    {}
+    explicit BruteForce(BruteForceSpace *space) : Contender("brute", worlds::OwnedSpace(space)), brute_(*space) {}
 
     std::size_t finish(worlds::PairList &list) override
     {

@@ -102,7 +102,7 @@ std::unique_ptr<worlds::Contender> contender(const char *name, std::unique_ptr<b
                                              bool owns_proxies)
 {
     return std::make_unique<worlds::Contender>(
-        name, worlds::Family::reference, worlds::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
+        name, worlds::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
 }
 
 /// btAxisSweep3 frees its array of proxies at once. Destroying a proxy would sort it to the end of each axis.

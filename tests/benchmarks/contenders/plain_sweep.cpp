@@ -66,7 +66,6 @@ private:
 
 std::unique_ptr<worlds::Contender> make_plain_sweep()
 {
-    return std::make_unique<worlds::Contender>("sweep", worlds::Family::reference,
-                                               worlds::OwnedSpace(new PlainSweepSpace));
+    return std::make_unique<worlds::Contender>("sweep", worlds::OwnedSpace(new PlainSweepSpace));
 }
 } // namespace ode_predictive_space::benchmarks
