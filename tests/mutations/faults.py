@@ -272,6 +272,9 @@ def index_faults():
         "refit_keeps_old_unbounded_boxes", "index", SOURCES + "broadphase/index/envelope_index.cpp",
         "        else if (tree_kind == TreeKind::list)\n            list_.put(swept);",
         "        else if (tree_kind == TreeKind::list && is_small_)\n            list_.put(swept);", (("contract", "*APlaneIsFoundWhereItWent*"),))
+    yield Fault(
+        "margin_of_a_ray_from_its_middle_alone", "index", BROADPHASE + "index/ray_probe.h",
+        "rounding * (std::abs(centre) + std::abs(span))", "rounding * std::abs(centre)", (("broadphase", "RayProbe.*"),))
 
 
 def proximity_faults():
@@ -302,6 +305,10 @@ def proximity_faults():
         "apart_until_the_later_of_two_ends", "proximity", SOURCES + "space/forecast_query.cpp",
         "*apart_until = std::min(first.ticks, second.ticks);", "*apart_until = std::max(first.ticks, second.ticks);",
         (("times", "Times.*"),))
+    yield Fault(
+        "rotations_shifted_by_each_question", "proximity", SOURCES + "prediction/track.cpp",
+        "    if (!replaces)\n        std::copy_backward(rotations_.begin(), rotations_.end() - 1, rotations_.end());\n",
+        "    std::copy_backward(rotations_.begin(), rotations_.end() - 1, rotations_.end());\n", (("times", "Times.*"),))
 
 
 def near_faults():
@@ -558,6 +565,20 @@ def shape_faults():
         "axis_of_a_second_half_space_points_back", "shapes", SOURCES + "broadphase/shape/gap.cpp",
         "return {gap.length, -gap.axis, gap.work};",
         "return {gap.length, gap.axis, gap.work};", (("shapes", "Gap.*"),))
+    yield Fault(
+        "depths_below_zero_are_not_rounded", "shapes", SOURCES + "surface/height_grid.cpp",
+        "std::max(largest_, std::abs(height))", "std::max(largest_, height)", (("surface", "HeightGrids.*"),))
+    yield Fault(
+        "braking_counts_twice_in_times_of_contact", "shapes", BROADPHASE + "near/contact_forecast.cpp",
+        "0.5 * gap.axis.dot(relative.acceleration) - deviation.c",
+        "gap.axis.dot(relative.acceleration) - deviation.c", (("shapes", "ContactForecast.*"),))
+    yield Fault(
+        "budget_of_a_removed_object_is_inherited", "shapes", BROADPHASE + "broadphase.cpp",
+        "    near_.close_account(id);\n", "", (("shape_contract", "GapCheckCost.*"),))
+    yield Fault(
+        "hulls_that_are_gone_stay_listed", "shapes", SOURCES + "space/hull_store.cpp",
+        "    if (hulls_.size() >= 2 * used_)",
+        "    if (used_ > 0 && hulls_.size() >= 2 * used_)", (("shape_contract", "HullData.*"),))
 
 
 def sweep_faults():
@@ -733,6 +754,10 @@ def space_faults():
         "skewed_rays_judged_by_lines", "space", scene,
         "touched_off_line(geom) || is_skewed(probe))",
         "touched_off_line(geom))", CONTACT_HISTORIES)
+    yield Fault(
+        "spheres_never_turn", "space", SOURCES + "space/geom_scene.cpp",
+        "const bool turning_shows = geom->type != dSphereClass || geom->offset_posr;",
+        "const bool turning_shows = geom->type != dSphereClass;", (("times", "Times.*"),))
 
 
 def history_faults():
@@ -850,6 +875,17 @@ def history_faults():
         "more_notices_recorded_than_a_reader_takes", "history", SOURCES + "recording/recorder.cpp",
         "std::min(notices_.take(geom), most_notices)",
         "notices_.take(geom)", (("recordings", "*MoreOftenThan*"),))
+    yield Fault(
+        "children_of_the_program_keep_the_file", "history", SOURCES + "recording/history_file.cpp",
+        "O_WRONLY | O_CREAT | O_CLOEXEC | (only_new ? O_EXCL : 0)",
+        "O_WRONLY | O_CREAT | (only_new ? O_EXCL : 0)", (("recordings", "HistoryFile.*"),))
+    yield Fault(
+        "room_for_pairs_is_never_given_back", "history", SOURCES + "recording/recorder.cpp",
+        "    --recorder_->unfinished_;\n", "", (("recordings", "RecorderTest.*"),))
+    yield Fault(
+        "the_lock_stays_taken_in_a_child", "history", SOURCES + "recording/recorded_space.cpp",
+        "                           each.second.listeners.clear();\n                       recorded_spaces().mutex.unlock();\n",
+        "                           each.second.listeners.clear();\n", (("recordings", "RecorderTest.*"),))
 
 
 def advice_faults():
@@ -984,6 +1020,24 @@ def haptic_faults():
         "slopes_weighted_by_their_own_leg", "haptics", SOURCES + "haptics/record/replay_device.cpp",
         "return (seconds_after * before + seconds_before * after) / (seconds_before + seconds_after);",
         "return (seconds_before * before + seconds_after * after) / (seconds_before + seconds_after);", (("haptics", "ReplayDevice.*"),))
+    yield Fault(
+        "forces_before_a_restart_count_in_the_energy", "haptics", SOURCES + "haptics/safety/passivity.h",
+        "        written_.fill(Vector3::Zero());\n        last_position_.reset();",
+        "        last_position_.reset();", (("haptics", "Passivity.*"),))
+    yield Fault(
+        "lateness_of_the_servo_by_the_rate_of_the_scene", "haptics", SOURCES + "haptics/safety/watchdog.cpp",
+        "limits.late_after = std::max(least, 1 / servo_rate + overdue);",
+        "limits.late_after = std::max(least, 1 / physics_rate + overdue);", (("haptics", "Watchdog.*"),))
+    yield Fault(
+        "any_doubt_is_short", "haptics", SOURCES + "haptics/safety/device_link.cpp",
+        "    if (!failed_)\n        doubted_since_ = time_;\n", "    doubted_since_ = time_;\n", (("haptics", "ProbeFaultTest.*"),))
+    yield Fault(
+        "former_forces_go_to_any_touch_of_the_object", "haptics", SOURCES + "haptics/law/force_shares.cpp",
+        "return now.object == share.object && now.touch == share.touch;",
+        "return now.object == share.object;", (("haptics", "ForceSplit.*"),))
+    yield Fault(
+        "last_digit_of_a_file_without_a_final_newline", "haptics", SOURCES + "haptics/record/recording.cpp",
+        "stream.eof() ? taken : taken - 1", "taken - 1", (("haptics", "Recording.*"),))
 
 
 FAULTS = tuple(

@@ -37,6 +37,15 @@ protected:
         dGeomSetRotation(mesh, rotation);
     }
 
+    void turn_to_and_fro(dGeomID mesh, int ticks) const
+    {
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
+            collide(space);
+        }
+    }
+
     unsigned long gap_checks() const
     {
         dPredictiveSpaceCounters counters;
@@ -112,11 +121,7 @@ TEST_F(GapCheckCost, BesideAMeshThatTurnsLooksAreGivenUp)
     const dGeomID mesh = create_mesh(cube);
     create_ball();
     constexpr int ticks = 1000;
-    for (int tick = 0; tick < ticks; ++tick)
-    {
-        turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
-        collide(space);
-    }
+    turn_to_and_fro(mesh, ticks);
     EXPECT_GT(gap_checks(), 0u);
     EXPECT_LT(gap_checks(), ticks / 10u);
 }
@@ -126,11 +131,7 @@ TEST_F(GapCheckCost, OfAMeshAreNotChargedToItsSuccessor)
     const MeshArrays cube(Polyhedron::cube());
     dGeomID mesh = create_mesh(cube);
     create_ball();
-    for (int tick = 0; tick < 1000; ++tick)
-    {
-        turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
-        collide(space);
-    }
+    turn_to_and_fro(mesh, 1000);
     dGeomDestroy(mesh);
     collide(space);
     mesh = create_mesh(cube);
@@ -146,11 +147,7 @@ TEST_F(GapCheckCost, AGapThatHasClosedDoesNotCountAtRest)
     create_ball();
     for (int turns = 1; turns <= 200; ++turns)
     {
-        for (int tick = 0; tick < turns; ++tick)
-        {
-            turn(mesh, tick % 2 ? REAL(0.1) : REAL(-0.1));
-            collide(space);
-        }
+        turn_to_and_fro(mesh, turns);
         turn(mesh, 0);
         for (int tick = 0; tick < 50; ++tick)
             ASSERT_EQ(collide(space).size(), 1u) << turns;
