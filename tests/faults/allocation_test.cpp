@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <new>
+#include <utility>
 
 #include "tests/faults/allocation_faults.h"
 #include "tests/faults/gas.h"
@@ -98,6 +99,17 @@ const Situation situations[] = {
          gas.move();
      },
      [](Gas &gas) { collide2(gas.geom(0), as_geom(gas.space())); }},
+    {"collide_within_a_callback", 300, [](Gas &gas) { gas.run(40); },
+     [](Gas &gas) {
+         Gas *left = &gas; // to be collided
+         dSpaceCollide(gas.space(), &left, [](void *data, dGeomID, dGeomID) {
+             if (Gas *inner = std::exchange(*static_cast<Gas **>(data), nullptr))
+             {
+                 dPredictiveSpaceSetHorizon(inner->space(), 500, 5000); // larger envelopes, more near pairs
+                 tick(*inner);
+             }
+         });
+     }},
     {"encounters", 300,
      [](Gas &gas) {
          gas.run(3);
