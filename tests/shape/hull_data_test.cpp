@@ -193,6 +193,31 @@ TEST_F(HullData, ChangedInPlaceIsNoticedByTheSpacesAround)
         }
 }
 
+// The sheet is not flat in its own axes, either.
+TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
+{
+    constexpr unsigned side = 150;
+    Polyhedron sheet;
+    for (unsigned i = 0; i < side; ++i)
+        for (unsigned j = 0; j < side; ++j)
+        {
+            const double x = 2.0 * i / (side - 1) - 1, y = 2.0 * j / (side - 1) - 1;
+            sheet.corners.emplace_back(x, y, 0.1 * x * y);
+            if (i + 1 < side && j + 1 < side)
+                sheet.faces.push_back({i * side + j, (i + 1) * side + j, (i + 1) * side + j + 1, i * side + j + 1});
+        }
+    MeshArrays arrays(sheet);
+    const dGeomID mesh = create_mesh(arrays);
+    dPredictiveSpacePrepare(space);
+    dMatrix3 turned;
+    dRFromAxisAndAngle(turned, 0, 1, 0, REAL(0.785398));
+    dGeomSetRotation(mesh, turned);
+    dGeomSetPosition(ball, REAL(0.5), 0, REAL(0.5));
+    EXPECT_EQ(collide(space).size(), 0u);
+    dGeomSetPosition(ball, REAL(0.3), 0, REAL(-0.3));
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
 TEST_F(HullData, OfMeshesThatAreGoneTakeNoMemory)
 {
     const auto bytes = [this] {

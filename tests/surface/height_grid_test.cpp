@@ -1,6 +1,7 @@
 // The cost of a grid of heights, and the heights that it takes. Tests of contacts with heightfields check the cells that it finds.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
 
@@ -28,6 +29,35 @@ TEST(HeightGrids, NearerSquaresComeFirst)
         return true;
     });
     EXPECT_LT(visits, 100) << "of 1024 cells";
+}
+
+// A grid that repeats is compared with nine copies side by side.
+TEST(HeightGrids, ThatRepeatContinueInTheNextCopies)
+{
+    constexpr int cells = 8;
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> height(-1, 1), place(0, cells);
+    const auto nearest = [](const HeightGrid &grid, const Vector3 &low) {
+        double distance = 3;
+        grid.walk(Eigen::AlignedBox3d(low, low + Vector3::Constant(0.1)), distance, [&](const HeightGrid::Cell &cell) {
+            distance = std::min(distance, cell.distance);
+            return true;
+        });
+        return distance;
+    };
+    for (int i = 0; i < 1000; ++i)
+    {
+        std::array<std::array<double, cells>, cells> heights{};
+        for (auto &column : heights)
+            std::generate(column.begin(), column.end(), [&] { return height(random); });
+        const auto sample = [&](int column, int row) { return heights[column % cells][row % cells]; };
+        HeightGrid one({cells + 1, cells + 1, 1, 1, true}, sample),
+            nine({3 * cells + 1, 3 * cells + 1, 1, 1, false}, sample);
+        one.build(all_at_once);
+        nine.build(all_at_once);
+        const Vector3 low(place(random), 1.5 + 0.4 * height(random), place(random));
+        ASSERT_NEAR(nearest(one, low), nearest(nine, low + Vector3(cells, 0, cells)), 1e-12) << low.transpose();
+    }
 }
 
 // A program's function may be slow, so the cost of building is counted in samples.

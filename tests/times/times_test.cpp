@@ -278,6 +278,21 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
     }
 }
 
+// Their callbacks do not wait for the spheres.
+TEST_F(Times, BySphereOfPairsThatOnlyBoxesCanJudgeAreThoseOfTheirBoxes)
+{
+    dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
+    fill(20);
+    const dGeomID one = scene.numbered(dCreateCylinder(space, 1, 2)),
+                  other = scene.numbered(dCreateCylinder(space, 1, 2));
+    const dBodyID body = scene.body(other, 5, 5, 5);
+    scene.body(one, 0, 0, 0);
+    expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+        const dReal place = 5 - REAL(0.02) * static_cast<dReal>(tick);
+        dBodySetPosition(body, place, place, place);
+    }));
+}
+
 // The forecast's sphere is around the geom, which is far from its body.
 TEST_F(Times, OfAGeomWithAnOffsetAreThoseOfItself)
 {
