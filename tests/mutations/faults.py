@@ -579,6 +579,14 @@ def shape_faults():
         "hulls_that_are_gone_stay_listed", "shapes", SOURCES + "space/hull_store.cpp",
         "    if (hulls_.size() >= 2 * used_)",
         "    if (used_ > 0 && hulls_.size() >= 2 * used_)", (("shape_contract", "HullData.*"),))
+    yield Fault(
+        "points_behind_the_most_of_a_hull_dropped", "shapes", SOURCES + "space/hull_maker.cpp",
+        "    if (points_.size() <= tuning::most_hull_points)\n        points_.push_back(point);",
+        "    if (points_.size() < tuning::most_hull_points)\n        points_.push_back(point);", (("shape_contract", "HullData.*"),))
+    yield Fault(
+        "repeating_terrain_without_the_copy_ahead", "shapes", SOURCES + "surface/height_grid.h",
+        "last_z = static_cast<int>(std::floor((box.max().z() + distance) / depth()));",
+        "last_z = static_cast<int>(std::floor(box.max().z() / depth()));", (("surface", "HeightGrids.*"),))
 
 
 def sweep_faults():
@@ -758,6 +766,17 @@ def space_faults():
         "spheres_never_turn", "space", SOURCES + "space/geom_scene.cpp",
         "const bool turning_shows = geom->type != dSphereClass || geom->offset_posr;",
         "const bool turning_shows = geom->type != dSphereClass;", (("times", "Times.*"),))
+    yield Fault(
+        "nested_collide_that_broke_off_goes_on", "space", BROADPHASE + "broadphase.cpp",
+        "    catch_up(scene);\n    interrupted_ = true;\n    find_pairs(scene);\n",
+        "    catch_up(scene);\n    find_pairs(scene);\n", (("faults", "*collide_within*"),))
+    yield Fault(
+        "turn_ends_with_a_nested_collide", "space", SOURCES + "space/access.h",
+        "            if (taken_)\n                holder_.store",
+        "            if (granted_)\n                holder_.store", (("contract", "Contract.16_*"),))
+    yield Fault(
+        "forecast_of_libccd_pairs_by_spheres", "space", SOURCES + "space/forecast_query.cpp",
+        "by_sphere() && !found_by_libccd(geoms_[pair.first], geoms_[pair.second]);", "by_sphere();", (("times", "Times.*"),))
 
 
 def history_faults():
