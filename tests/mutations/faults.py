@@ -905,6 +905,9 @@ def history_faults():
         "the_lock_stays_taken_in_a_child", "history", SOURCES + "recording/recorded_space.cpp",
         "                           each.second.listeners.clear();\n                       recorded_spaces().mutex.unlock();\n",
         "                           each.second.listeners.clear();\n", (("recordings", "RecorderTest.*"),))
+    yield Fault(
+        "child_unlocks_the_file_of_its_parent", "history", SOURCES + "recording/history_file.cpp",
+        "    ::close(std::exchange(file_, -1));\n}\n} // namespace", "    close();\n}\n} // namespace", (("recordings", "HistoryFile.*"),))
 
 
 def advice_faults():

@@ -84,6 +84,14 @@ TEST(HistoryFile, LeavesAFileAloneThatAnotherRecordingIsWrittenTo)
     EXPECT_TRUE(first.write("a record"));
     EXPECT_EQ(HistoryFile(scratch.path(), false).error(), EBUSY);
     EXPECT_EQ(std::filesystem::file_size(scratch.path()), 8u);
+    const pid_t leaving = fork();
+    if (leaving == 0)
+    {
+        first.abandon();
+        _exit(0);
+    }
+    waitpid(leaving, nullptr, 0);
+    EXPECT_EQ(HistoryFile(scratch.path(), false).error(), EBUSY) << "a child has left it to this process";
     const pid_t child = fork();
     if (child == 0)
     {
