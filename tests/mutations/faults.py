@@ -1060,6 +1060,9 @@ def haptic_faults():
     yield Fault(
         "last_digit_of_a_file_without_a_final_newline", "haptics", SOURCES + "haptics/record/recording.cpp",
         "stream.eof() ? taken : taken - 1", "taken - 1", (("haptics", "Recording.*"),))
+    yield Fault(
+        "former_target_moves_a_base_that_was_placed", "haptics", SOURCES + "haptics/device/hand_workspace.h",
+        "        aims_.take();\n        left_ = 0;\n", "        left_ = 0;\n", (("haptics", "MovingBase.*"),))
 
 
 FAULTS = tuple(

@@ -123,6 +123,18 @@ TEST_F(MovingBase, CarriesTheHeldToolAndTheGripAlong)
     EXPECT_EQ(probe.tool().linear_velocity, Vector3(Vector3::Zero())) << "no further call: it stands";
 }
 
+TEST_F(MovingBase, StaysWhereItIsPlacedAfterACallToMoveIt)
+{
+    ProbeWorld world;
+    ScriptedDevice device = still_device();
+    HapticProbe probe(device, world.space, radius);
+    world.run(probe, 10);
+    probe.renderer().move_base(placed_at(0.1), {});
+    probe.renderer().set_placement(placed_at(0.3));
+    world.run(probe, 2);
+    EXPECT_NEAR((probe.tool().position - placed_at(0.3).offset).norm(), 0, 1e-12);
+}
+
 TEST_F(MovingBase, RefusesAnotherScaleAndNonsense)
 {
     ProbeWorld world;
