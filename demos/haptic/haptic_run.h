@@ -50,7 +50,7 @@ class HapticRun
 public:
     static constexpr double probe_radius = worlds::object_radius; ///< m
 
-    /// @param factory of a scene without a probe of its own.
+    /// @param factory makes the scene without a probe.
     /// @throws exceptions derived from std::exception when a part cannot be created.
     HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device, RunControl &control,
               const haptics::NoticeSink &notice);

@@ -97,11 +97,11 @@ WorldRuns make_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &fac
 /// frequency and temperature then affect all runs alike, and a run finds its data in the cache as it would alone.
 void run_by_turns(const WorldRuns &runs, int ticks);
 
-/// Number of the first tick in which the exact contenders did not all report the same pairs, from 0 on; -1 when there is none.
-/// The runs have made the same number of ticks.
+/// The first tick, counted from 0, in which two exact contenders reported different pairs; -1 if they never did.
+/// @pre the runs have made the same number of ticks.
 int first_difference(const WorldRuns &runs);
 
-/// The first tick in which the pairs with contacts differ, among all contenders, exact or not: all with measure_contacts().
+/// As above, for the pairs with contacts and all contenders. @pre measure_contacts() was called for each run.
 int first_difference_of_contacts(const WorldRuns &runs);
 } // namespace ode_predictive_space::worlds
 

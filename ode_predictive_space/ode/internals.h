@@ -1,4 +1,4 @@
-// ODE's internal classes: those of ode_layout.h or, inside ODE (ODE_PREDICTIVE_SPACE_INSIDE_ODE), ODE's own headers.
+// ODE's internal classes: those of layout.h or, inside ODE (ODE_PREDICTIVE_SPACE_INSIDE_ODE), ODE's own headers.
 
 #ifndef ODE_PREDICTIVE_SPACE_ODE_INTERNALS_H
 #define ODE_PREDICTIVE_SPACE_ODE_INTERNALS_H

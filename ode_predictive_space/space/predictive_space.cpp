@@ -19,7 +19,7 @@ void listen_to(dxGeom *geom)
     geom->gflags &= ~GEOM_DIRTY;
 }
 
-// What bits_agree() and both_enabled() read.
+// Prefetches the members that bits_agree() and both_enabled() read.
 void prefetch_filters(const dxGeom *geom)
 {
     prefetch(&geom->gflags);

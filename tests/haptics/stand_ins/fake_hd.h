@@ -24,7 +24,7 @@ struct FakeHd
     void (*set_motion)(void (*motion)(double seconds, FakeHdPose *pose));
 
     /// @param rate the rate of the servo thread in Hz, > 0.
-    /// @param told the rate that the library reports; with 0 it reports none.
+    /// @param told the rate that the library reports, in Hz; 0 if it reports no rate.
     void (*set_rate)(double rate, int told);
 
     /// Sets the answers of hdCheckCalibration() before and after hdUpdateCalibration().
