@@ -89,6 +89,23 @@ TEST_F(RecorderTest, AGeomMayMoveMoreOftenThanAReplayRepeats)
     dSpaceDestroy(space);
 }
 
+// The notices of its first stay are no notices of its second.
+TEST_F(RecorderTest, AGeomThatMovedLeftAndCameBackHasNoNotices)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = balls_in(space).front();
+    Recorded recorded;
+    recorded.collide(space);
+    dGeomSetPosition(ball, 0, 1, 0);
+    dSpaceRemove(space, ball);
+    recorded.collide(space);
+    dSpaceAdd(space, ball);
+    recorded.collide(space);
+    for (const Record &record : recorded.end().records())
+        EXPECT_NE(record.kind, RecordKind::notices);
+    dSpaceDestroy(space);
+}
+
 // Like an engine with its own world, the program sets all poses in each tick, though few change.
 TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
 {
