@@ -58,7 +58,6 @@ Vector3 PenaltyLaw::friction_force(const Touch &touch, const Material &material,
 
 void PenaltyLaw::reset()
 {
-    last_holds_.clear();
-    holds_.clear();
+    holds_.clear(); // the next tick's last_holds_
 }
 } // namespace ode_predictive_space::haptics

@@ -175,6 +175,20 @@ TEST_P(LongRow, IsPutBack)
     }
 }
 
+// Also a joint of a body at the border.
+TEST_P(LongRow, WhatTheProgramHasDisabledStaysSo)
+{
+    const std::size_t middle = scene_.bodies.size() / 2;
+    for (const dBodyID body : scene_.bodies)
+    {
+        const dJointID joint = dBodyGetJoint(body, 0);
+        dJointDisable(joint);
+        IslandRollOut({scene_.bodies[middle]}, GetParam()); // puts all back at once
+        EXPECT_EQ(dJointIsEnabled(joint), 0);
+        dJointEnable(joint);
+    }
+}
+
 // Bodies beyond that part are held in place, and hold the others.
 TEST_P(LongRow, AnswersAPushAsTheWholeRowDoes)
 {

@@ -57,5 +57,21 @@ TEST(PenaltyLaw, ANewTouchTakesHoldWhereItIs)
     law.forces(tool, {floor}, dt, forces);
     EXPECT_NEAR(forces[0].x(), -0.5, 1e-12);
 }
+
+// Another law was in its place meanwhile, and the tool has stayed on the floor.
+TEST(PenaltyLaw, TakesHoldWhereItIsWhenItComesBack)
+{
+    PenaltyLaw law({500, 0, 0.5});
+    Touch floor;
+    floor.depth = 0.004;
+    floor.takes_over = floor.id = 1;
+    ToolState tool;
+    TouchForces forces;
+    law.forces(tool, {floor}, dt, forces);
+    law.reset();
+    tool.position.x() = 0.001;
+    law.forces(tool, {floor}, dt, forces);
+    EXPECT_EQ(forces[0].x(), 0);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -57,6 +57,14 @@ TEST_F(LoopGuardTest, ADeviceThatTakesNoZeroIsClosedAndToldOf)
     EXPECT_NE(notices_.text(NoticeKind::guard).find("the plug has been pulled"), std::string::npos);
 }
 
+TEST_F(LoopGuardTest, ADeviceIsUnguardedAfterTheEnd)
+{
+    LoopGuard guard(clock_, gate_, duties());
+    EXPECT_TRUE(gate_.is_guarded());
+    guard.end();
+    EXPECT_FALSE(gate_.is_guarded());
+}
+
 class HangingDriver : public FaultyDevice
 {
 public:
