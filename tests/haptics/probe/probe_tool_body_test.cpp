@@ -126,6 +126,26 @@ TEST_F(HapticProbeTest, AToolBodyOfAnyMassFollowsTheHandAndALightOneIsNamed)
     }
 }
 
+// Its motors cannot turn the handle, but the torque on the tool belongs to the same coupling.
+TEST_F(HapticProbeTest, ATorqueOnTheToolComesOnAsGraduallyAsTheForce)
+{
+    ProbeWorld world;
+    const dBodyID tool = world.add_body(Vector3::Zero(), 0.1);
+    dBodySetAngularVel(tool, 0, 0, 1);
+    ScriptedDevice device([](double) -> Vector3 { return Vector3::Zero(); });
+    HapticProbe probe(device, tool, CouplingProperties(), RenderSettings());
+    std::vector<double> torques;
+    for (int tick = 0; tick < 1000; ++tick)
+    {
+        probe.begin(dt * tick);
+        probe.render(dt);
+        torques.push_back(std::abs(dBodyGetTorque(tool)[2]));
+        dBodySetTorque(tool, 0, 0, 0);
+    }
+    EXPECT_GT(torques.back(), 0);
+    EXPECT_LT(torques.front(), 0.1 * torques.back());
+}
+
 TEST_F(HapticProbeTest, AToolBodyThatIsGoneEndsWithZeroForceAndANotice)
 {
     for (const bool with_its_world : {false, true})
