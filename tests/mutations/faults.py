@@ -908,6 +908,9 @@ def history_faults():
     yield Fault(
         "child_unlocks_the_file_of_its_parent", "history", SOURCES + "recording/history_file.cpp",
         "    ::close(std::exchange(file_, -1));\n}\n} // namespace", "    close();\n}\n} // namespace", (("recordings", "HistoryFile.*"),))
+    yield Fault(
+        "notices_of_a_removed_geom_kept", "history", SOURCES + "recording/recorder.cpp",
+        "            notices_.take(place->first);\n", "", (("recordings", "*CameBackHasNoNotices"),))
 
 
 def advice_faults():
@@ -1063,6 +1066,25 @@ def haptic_faults():
     yield Fault(
         "former_target_moves_a_base_that_was_placed", "haptics", SOURCES + "haptics/device/hand_workspace.h",
         "        aims_.take();\n        left_ = 0;\n", "        left_ = 0;\n", (("haptics", "MovingBase.*"),))
+    yield Fault(
+        "probes_meet_by_one_side_of_their_bits", "haptics", SOURCES + "haptics/contact/other_probes.cpp",
+        "((a.category & b.collides) != 0 || (b.category & a.collides) != 0);", "(a.category & b.collides) != 0;",
+        (("haptics", "TwoProbes.*"),))
+    yield Fault(
+        "holds_of_a_law_that_was_set_aside", "haptics", SOURCES + "haptics/law/penalty_law.cpp",
+        "    holds_.clear(); // the next tick's last_holds_\n", "", (("haptics", "PenaltyLaw.*"),))
+    yield Fault(
+        "probe_stays_guarded_after_its_loop", "haptics", SOURCES + "haptics/loop/loop_guard.cpp",
+        "    if (watch_) // afterwards the device's gate may be gone\n        gate_.set_guarded(false);\n", "",
+        (("haptics", "LoopGuardTest.*"),))
+    yield Fault(
+        "joints_that_the_program_disabled_come_back", "haptics", SOURCES + "haptics/loop/island_roll_out.cpp",
+        "if (dJointIsEnabled(joint) == 0 || within.count(other_body(joint, body)) != 0)",
+        "if (within.count(other_body(joint, body)) != 0)", (("haptics", "*LongRow*"),))
+    yield Fault(
+        "torque_on_the_tool_ignores_the_watchdog", "haptics", SOURCES + "haptics/renderer.cpp",
+        "given.torque = parts_->watchdog->factor() * requested.torque;", "given.torque = requested.torque;",
+        (("haptics", "HapticProbeTest.ATorque*"),))
 
 
 FAULTS = tuple(
