@@ -101,7 +101,8 @@ TEST_F(RecorderTest, AGeomThatMovedLeftAndCameBackHasNoNotices)
     recorded.collide(space);
     dSpaceAdd(space, ball);
     recorded.collide(space);
-    for (const Record &record : recorded.end().records())
+    const Recording recording = recorded.end();
+    for (const Record &record : recording.records())
         EXPECT_NE(record.kind, RecordKind::notices);
     dSpaceDestroy(space);
 }

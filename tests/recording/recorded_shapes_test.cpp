@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -46,6 +47,35 @@ TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
         EXPECT_EQ(corner[0], dReal(id + 1)) << "the geom has the new vertices";
     }
     dSpaceDestroy(space);
+    dGeomTriMeshDataDestroy(mesh);
+}
+
+TEST_F(RecorderTest, AMeshThatCannotBeReadIsItsBoxAlsoAtAnOffset)
+{
+    Tetrahedron tetrahedron;
+    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
+                                3 * sizeof(dTriIndex));
+    tetrahedron.vertices[0] = NAN;
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    const dGeomID geom = dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
+    dGeomSetBody(geom, body);
+    dGeomSetOffsetPosition(geom, 1, 0, 0);
+    Recorded recorded;
+    recorded.collide(space);
+    dBodySetPosition(body, 5, 0, 0);
+    recorded.collide(space);
+    const Recording recording = recorded.end();
+    EXPECT_EQ(recording.stand_ins(), 1u);
+    std::array<dReal, 6> box, replayed;
+    dGeomGetAABB(geom, box.data());
+    const auto stage = staged(recording);
+    dGeomGetAABB(stage->geom(1), replayed.data());
+    EXPECT_EQ(replayed, box);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
     dGeomTriMeshDataDestroy(mesh);
 }
 

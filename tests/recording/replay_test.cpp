@@ -154,6 +154,15 @@ TEST_F(Replay, NamesThePairsThatDiffer)
     EXPECT_EQ(differing_pairs(recording, SpaceKind::box, SpaceKind::simple, 1), "");
 }
 
+// For ODE's spaces a space within them reaches anywhere.
+TEST_F(Replay, PairsWithASpaceAreOfWhatHasNoBounds)
+{
+    const dSpaceID inner = dHashSpaceCreate(space_);
+    dGeomSetPosition(dCreateSphere(inner, 1), 0, 0, 50);
+    ball_at(0, 0, 50);
+    EXPECT_EQ(find_pairs(collided(1), SpaceKind::simple).events[0].unbounded, 1u);
+}
+
 TEST_F(Replay, OnlyOdesOwnSpacesMayHaveMoreOfWhatHasNoBounds)
 {
     ball_at(0, 0, 0);

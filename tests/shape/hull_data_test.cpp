@@ -337,8 +337,10 @@ protected:
     HullOfHeights()
     {
         dGeomSetPosition(ball, 0, REAL(0.9), 0);
-        build(low, 0);
-        build(high, REAL(0.8));
+        samples_.fill(1);
+        samples_.front() = 4;
+        build(low, -1);
+        build(high, REAL(-0.2));
     }
     ~HullOfHeights() override
     {
@@ -346,9 +348,9 @@ protected:
             dGeomHeightfieldDataDestroy(data);
     }
 
-    void build(dHeightfieldDataID data, dReal offset) const
+    void build(dHeightfieldDataID data, dReal offset, dReal scale = 1) const
     {
-        dGeomHeightfieldDataBuildDouble(data, samples_.data(), 0, 8, 8, 5, 5, 1, offset, 1, 0);
+        dGeomHeightfieldDataBuildDouble(data, samples_.data(), 0, 8, 8, 5, 5, scale, offset, 1, 0);
     }
 
     dGeomID create_field(dHeightfieldDataID data)
@@ -367,26 +369,32 @@ protected:
     const dHeightfieldDataID low = dGeomHeightfieldDataCreate(), high = dGeomHeightfieldDataCreate();
 
 private:
-    const std::array<double, 25> samples_ = {3};
+    std::array<double, 25> samples_;
 };
 
-TEST_F(HullOfHeights, IsThatOfEachOffsetWhereFieldsHaveTheirSamplesInCommon)
+TEST_F(HullOfHeights, IsThatOfEachOffsetAndScaleWhereFieldsHaveTheirSamplesInCommon)
 {
-    const dGeomID below = create_field(low);
-    EXPECT_EQ(collide(space).size(), 0u);
-    EXPECT_FALSE(has_contact(below));
-    const dGeomID above = create_field(high);
-    EXPECT_TRUE(has_contact(above));
-    EXPECT_EQ(collide(space).size(), 2u) << "the ball on the higher field, and the fields";
-    dGeomDestroy(below);
-    EXPECT_EQ(collide(space).size(), 1u);
+    for (const bool by_scale : {false, true})
+    {
+        if (by_scale)
+            build(high, -1, REAL(1.8));
+        const dGeomID below = create_field(low);
+        EXPECT_EQ(collide(space).size(), 0u);
+        EXPECT_FALSE(has_contact(below));
+        const dGeomID above = create_field(high);
+        EXPECT_TRUE(has_contact(above));
+        EXPECT_EQ(collide(space).size(), 2u) << "the ball on the higher field, and the fields";
+        dGeomDestroy(below);
+        EXPECT_EQ(collide(space).size(), 1u);
+        dGeomDestroy(above);
+    }
 }
 
 TEST_F(HullOfHeights, IsThatOfTheOffsetWithWhichTheDataWereBuiltLast)
 {
     const dGeomID field = create_field(low);
     EXPECT_EQ(collide(space).size(), 0u);
-    build(low, REAL(0.8));
+    build(low, REAL(-0.2));
     EXPECT_TRUE(has_contact(field));
     EXPECT_EQ(collide(space).size(), 1u);
 }
