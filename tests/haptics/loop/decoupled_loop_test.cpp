@@ -139,6 +139,11 @@ Vector3 press_slowly(double seconds)
     return {0, 0, 0.03 - 0.025 * std::clamp(2 * (seconds - 1), 0.0, 1.0)};
 }
 
+TEST_F(DecoupledLoopTest, MomentumIsKeptWhenItEndsInContact)
+{
+    EXPECT_LE(lost_momentum(add_box(1000), &press_slowly, with_stiffness(500), settings(4000, 1000, 2)), 1e-9);
+}
+
 TEST_F(DecoupledLoopTest, MomentumIsKeptThroughAStallOfTheScene)
 {
     Once stall(clock_, 2, [&] { clock_.advance(0.1); });
