@@ -329,6 +329,24 @@ TEST_F(Times, OfASphereThatCirclesAroundItsBodyAreNeverLate)
                   REAL(0.4), 60);
 }
 
+// Its own path is no parabola.
+TEST_F(Times, OfAGeomAtAnOffsetAreKnownHoweverFastItsBodyTurns)
+{
+    fill(20);
+    const dGeomID one = scene.box(REAL(0.1), 0, 0, 0), other = scene.sphere(REAL(0.1), 4, 0, 0);
+    const dBodyID body = scene.body(one, 0, 0, 0);
+    dGeomSetOffsetPosition(one, 1, 0, 0);
+    for (int tick = 0; tick < 20; ++tick)
+    {
+        dMatrix3 R;
+        dRFromAxisAndAngle(R, 0, 0, 1, REAL(0.2) * static_cast<dReal>(tick));
+        dBodySetRotation(body, R);
+        collide(space);
+        const Answer answer = ask(one, other);
+        EXPECT_TRUE(tick < 3 || answer.ticks > 100) << answer;
+    }
+}
+
 TEST_F(Times, OfPlanesAndSpacesThatMoveAreNotKnown)
 {
     fill(20);
