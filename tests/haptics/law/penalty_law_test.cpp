@@ -42,6 +42,24 @@ TEST(PenaltyLaw, TheHoldOnAnObjectGoesWithTheObjectNotWithItsPlaceInTheList)
     EXPECT_NEAR(forces[1].y(), -0.5, 1e-12);
 }
 
+TEST(PenaltyLaw, StaticFrictionAloneHoldsUntilItSlips)
+{
+    Material material{500};
+    material.static_friction = 0.5;
+    Rendered<PenaltyLaw> law(material);
+    Touch floor;
+    floor.depth = 0.004; // 2 N
+    ToolState tool;
+    TouchForces forces;
+    law.forces(tool, {floor}, dt, forces);
+    tool.position.x() = 0.001;
+    law.forces(tool, {floor}, dt, forces);
+    EXPECT_NEAR(forces[0].x(), -0.5, 1e-12);
+    tool.position.x() = 0.0021;
+    law.forces(tool, {floor}, dt, forces);
+    EXPECT_NEAR(forces[0].x(), 0, 1e-12);
+}
+
 TEST(PenaltyLaw, ANewTouchTakesHoldWhereItIs)
 {
     Rendered<PenaltyLaw> law({500, 0, 0.5});
