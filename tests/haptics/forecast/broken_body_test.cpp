@@ -88,6 +88,23 @@ TEST(SceneBodies, OfAKnownWorldNeedNoGeom)
     EXPECT_EQ(SceneBodies(probe).broken_state(nullptr, probe), broken_state_of(body));
 }
 
+TEST(SceneBodies, AreThoseOfAllWorldsInTheSpace)
+{
+    const OdeUse ode;
+    ProbeWorld one, other;
+    const dGeomID probe = dCreateSphere(one.space, 1);
+    const dBodyID bodies[] = {one.add_body({0, 0, 0}, 1), other.add_body({0, 0, 0}, 1)};
+    for (const dBodyID body : bodies)
+        dGeomSetBody(dCreateSphere(one.space, 1), body);
+    SceneBodies scene(probe);
+    for (const dBodyID body : bodies)
+    {
+        dBodySetLinearVel(body, nan, 0, 0);
+        EXPECT_EQ(scene.broken_state(nullptr, probe), broken_state_of(body));
+        dBodySetLinearVel(body, 0, 0, 0);
+    }
+}
+
 TEST(SceneBodies, AreNotLookedForInAQuadtree)
 {
     const OdeUse ode;

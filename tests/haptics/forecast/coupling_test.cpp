@@ -3,6 +3,8 @@
 #include "tests/haptics/forecast/coupling_run.h"
 #include "tests/haptics/forecast/leaning.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -139,15 +141,21 @@ TEST(Coupling, AProgramWhoseStepIsNotOdesIsFeltByItsVelocitiesAndItIsTold)
     scenario.build(scene);
     SimulatedClock clock;
     NoticeList notices;
-    ScriptedDevice device([&](double) { return Vector3(-0.015, 0, 0); });
+    ScriptedDevice device([](double t) { return Vector3(0, 0, 0.015 - 0.003 * std::clamp(2 * t - 2, 0.0, 1.0)); });
     device.open();
     HapticProbe probe(device, scene.space, 0.005, with_stiffness(CouplingCase::stiffness));
     LoopSettings settings = simulated(clock, 2, true, 100);
     settings.notice = notices.sink();
     dJointDestroy(dBodyGetJoint(scene.bodies[0], 0)); // ODE would let it fall, the program does not
+    int pressed = 0;
+    probe.set_recorder([&](const RenderedTick &tick) {
+        pressed += tick.time > 1.8 ? 1 : 0;
+        EXPECT_TRUE(tick.time <= 1.8 || std::abs(tick.requested.z() - 1) < 0.2) << tick.requested.z() << " N";
+    });
     HapticLoop loop(probe, settings);
-    loop.run({[&] { scene.collide(probe); }, [](double) {}});
+    loop.run({[&] { scene.collide(probe); }, [&](double) { dBodySetForce(scene.bodies[0], 0, 0, 0); }});
     EXPECT_EQ(notices.count(NoticeKind::coupling), 1) << notices.text(NoticeKind::coupling);
+    EXPECT_GT(pressed, 100);
 }
 
 // A row of balls that moves as one is pushed at its far end, which the trial steps leave out.

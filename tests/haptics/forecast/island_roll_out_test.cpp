@@ -71,7 +71,9 @@ TEST_F(IslandRollOutTest, PutsAllBack)
 {
     const dBodyID ball = scene_.bodies[0];
     dBodyAddForce(ball, 0.1, 0.2, 0.3);
+    dBodyAddTorque(ball, 0.4, 0.5, 0.6);
     dBodySetLinearVel(ball, 0.1, 0, 0);
+    dBodySetAngularVel(ball, 0.7, 0, 0);
     dJointFeedback feedback = {};
     dJointSetFeedback(dBodyGetJoint(ball, 0), &feedback);
     dRandSetSeed(5);
@@ -82,7 +84,10 @@ TEST_F(IslandRollOutTest, PutsAllBack)
     }
     EXPECT_TRUE(place_of(ball).isZero(0));
     EXPECT_EQ(velocity_of(ball), Vector3(0.1, 0, 0));
+    EXPECT_EQ(dBodyGetQuaternion(ball)[0], 1);
+    EXPECT_EQ(dBodyGetAngularVel(ball)[0], 0.7);
     EXPECT_DOUBLE_EQ(dBodyGetForce(ball)[2], 0.3);
+    EXPECT_DOUBLE_EQ(dBodyGetTorque(ball)[2], 0.6);
     EXPECT_EQ(dJointGetFeedback(dBodyGetJoint(ball, 0)), &feedback);
     EXPECT_EQ(feedback.f1[2], 0) << "it is the program's, for its own steps";
     EXPECT_EQ(dRandGetSeed(), 5U);
@@ -175,7 +180,7 @@ TEST_P(LongRow, IsPutBack)
     }
 }
 
-// Also a joint of a body at the border.
+// Also a joint of a body at the border. A body that the program has made kinematic stays that, too.
 TEST_P(LongRow, WhatTheProgramHasDisabledStaysSo)
 {
     const std::size_t middle = scene_.bodies.size() / 2;
@@ -183,9 +188,12 @@ TEST_P(LongRow, WhatTheProgramHasDisabledStaysSo)
     {
         const dJointID joint = dBodyGetJoint(body, 0);
         dJointDisable(joint);
+        dBodySetKinematic(body);
         IslandRollOut({scene_.bodies[middle]}, GetParam()); // puts all back at once
         EXPECT_EQ(dJointIsEnabled(joint), 0);
+        EXPECT_NE(dBodyIsKinematic(body), 0);
         dJointEnable(joint);
+        dBodySetDynamic(body);
     }
 }
 
@@ -215,6 +223,21 @@ TEST_F(IslandRollOutTest, TheFastestSwingOfARopeIsThatOfItsUppermostBall)
     IslandRollOut island({scene_.bodies[2]}, false);
     const double moment = 0.4 * 0.002 * 0.009 * 0.009;
     EXPECT_NEAR(island.fastest_swing(0.001), std::sqrt(5 * 0.002 * CouplingScene::gravity * 0.01 / moment), 0.5);
+}
+
+TEST_F(IslandRollOutTest, ABallSwingsOnAHingeAndOnAUniversalJointToo)
+{
+    const dJointID hinge = dJointCreateHinge(scene_.world, nullptr);
+    const dJointID universal = dJointCreateUniversal(scene_.world, nullptr);
+    for (const dJointID joint : {hinge, universal})
+    {
+        const dBodyID ball = scene_.add_ball(0.002, 0.009, {0, 1, 0});
+        dJointAttach(joint, ball, nullptr);
+        joint == hinge ? dJointSetHingeAnchor(joint, 0, 1, 0.01) : dJointSetUniversalAnchor(joint, 0, 1, 0.01);
+        IslandRollOut island({ball}, false);
+        const double moment = 0.4 * 0.002 * 0.009 * 0.009;
+        EXPECT_NEAR(island.fastest_swing(0.001), std::sqrt(0.002 * CouplingScene::gravity * 0.01 / moment), 0.5);
+    }
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -2,7 +2,9 @@
 
 #include "ode_predictive_space/haptics/loop.h"
 
+#include "ode_predictive_space/haptics/loop/scene_bodies.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
+#include "ode_predictive_space/haptics/safety.h"
 #include "tests/haptics/loop/loop_fixture.h"
 
 #include <cmath>
@@ -35,6 +37,7 @@ protected:
         probe.set_recorder(recorder_);
         HapticLoop loop(probe, settings);
         report_ = loop.run(world_.work(probe, after_step));
+        EXPECT_EQ(first_body_of(world_.world), body) << "the loop leaves no body of its own";
         world_.step(1 / settings.physics_rate); // the hand's last impulse is pending
         EXPECT_GT(log.impulse().norm(), 0.5);
         return (log.impulse() + momentum_of(body)).norm() / log.impulse().norm();
@@ -160,6 +163,14 @@ TEST_F(DecoupledLoopTest, MomentumIsKeptWhenTheGuardTakesTheForceFromALawThatHan
     EXPECT_EQ(notices_.count(NoticeKind::guard), 1);
 }
 
+TEST_F(DecoupledLoopTest, MomentumIsKeptWhenAStopEndsIt)
+{
+    Once stop(clock_, 2.2, [] { StopRequest::request(); });
+    const auto stopper = clock_.start({0.0073, {}, std::ref(stop)}); // the servo notices it before the guard
+    EXPECT_LE(lost_momentum(add_box(100), &press_slowly, with_stiffness(300), settings(4000, 1000, 3)), 1e-9);
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
+}
+
 // The force was written just before the recorder hung; its division among objects is approximate for these 5 ms.
 TEST_F(DecoupledLoopTest, LittleIsLostWhenTheGuardTakesTheForceFromARecorderThatHangs)
 {
@@ -234,6 +245,12 @@ TEST_F(DecoupledLoopTest, WhatCannotBeIsRefused)
     HapticProbe probe(device, world_.space, radius);
     EXPECT_THROW(HapticLoop(probe, settings(1000, 2000, 1)), std::invalid_argument) << "faster than the servo";
     EXPECT_THROW(HapticLoop(probe, settings(0, 0, 1)), std::invalid_argument);
+    LoopSettings wrong = settings(1000, 1000, 1);
+    wrong.most_steps_behind = -1;
+    EXPECT_THROW(HapticLoop(probe, wrong), std::invalid_argument);
+    wrong.most_steps_behind = 0;
+    wrong.margin = nan;
+    EXPECT_THROW(HapticLoop(probe, wrong), std::invalid_argument);
     HapticLoop loop(probe, settings(1000, 1000, 0.01));
     const SceneWork nothing = {[] {}, [](double) {}};
     loop.run(nothing);

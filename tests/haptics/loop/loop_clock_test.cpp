@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <gtest/gtest.h>
+#include <string>
 
 namespace ode_predictive_space::haptics
 {
@@ -21,6 +22,18 @@ TEST(SimulatedClock, ATaskThatTakesLongLeavesOutWhatItMissed)
     EXPECT_EQ(slow, 2);
     EXPECT_EQ(other, 6) << "at 1, 2 and 3, while the slow one was at it, at 4, and at 5 and 6, before that ended again";
     EXPECT_EQ(clock.now(), 6.5);
+}
+
+TEST(SimulatedClock, TasksThatAreDueAtOnceRunInTheOrderOfTheirStarts)
+{
+    SimulatedClock clock;
+    std::string order;
+    const auto first = clock.start({1, {}, [&](double) { order += 'a'; }});
+    const auto second = clock.start({1, {}, [&](double) { order += 'b'; }});
+    clock.advance(2);
+    EXPECT_EQ(order, "abab");
+    clock.sleep_until(1);
+    EXPECT_EQ(clock.now(), 2) << "it never goes back";
 }
 
 TEST(MonotonicClock, SleepsUntilADeadlineAndNotLess)

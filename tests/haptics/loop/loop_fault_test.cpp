@@ -66,31 +66,37 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SecondProbe, testing::Bool(), name_of_loop);
 TEST_P(SecondProbe, IsGuardedByTheLoopOfTheFirst)
 {
     const OdeUse ode;
-    NoticeList notices;
-    SimulatedClock clock;
-    ProbeWorld world;
-    dCreatePlane(world.space, 0, 0, 1, 0);
-    ScriptedDevice first_device(&press_down);
-    ScriptedDevice second_device(&press_down);
-    WriteLog second_log(second_device, clock);
-    HapticProbe first(first_device, world.space, radius, usual_rendering());
-    ProbeWorld other;
-    dCreatePlane(other.space, 0, 0, 1, 0);
-    HapticProbe second(second_log, other.space, radius, usual_rendering());
-    LoopSettings settings = simulated(clock, 3, GetParam());
-    settings.notice = notices.sink();
-    Once stall(clock, pressed_after, [&] { clock.advance(0.06); });
-    HapticLoop(first, settings)
-        .run({[&] { world.collide(first); },
-              [&](double dt) {
-                  second.begin(clock.now(), clock.now());
-                  other.collide(second);
-                  second.render(dt);
-                  stall();
-              }});
-    EXPECT_GT(second_log.force_at(stall.at).z(), 3);
-    EXPECT_TRUE(second_log.was_quiet(stall.at + grace, stall.at + 0.06));
-    EXPECT_EQ(notices.count(NoticeKind::guard), 1);
+    for (const double rate : {1000.0, 100.0})
+    {
+        SCOPED_TRACE(rate);
+        NoticeList notices;
+        SimulatedClock clock;
+        ProbeWorld world;
+        dCreatePlane(world.space, 0, 0, 1, 0);
+        ScriptedDevice first_device(&press_down);
+        ScriptedDevice second_device(&press_down);
+        WriteLog second_log(second_device, clock);
+        HapticProbe first(first_device, world.space, radius, usual_rendering());
+        ProbeWorld other;
+        dCreatePlane(other.space, 0, 0, 1, 0);
+        HapticProbe second(second_log, other.space, radius, usual_rendering());
+        second.renderer().set_rates(rate, rate);
+        LoopSettings settings = simulated(clock, 3, GetParam(), rate);
+        settings.rate = GetParam() ? 1000 : rate;
+        settings.notice = notices.sink();
+        Once stall(clock, 2.5, [&] { clock.advance(0.06); });
+        HapticLoop(first, settings)
+            .run({[&] { world.collide(first); },
+                  [&](double dt) {
+                      second.begin(clock.now(), clock.now());
+                      other.collide(second);
+                      second.render(dt);
+                      stall();
+                  }});
+        EXPECT_GT(second_log.force_at(stall.at).z(), rate < 1000 ? 0.1 : 3);
+        EXPECT_TRUE(second_log.was_quiet(stall.at + 1 / rate + grace, stall.at + 0.06));
+        EXPECT_EQ(notices.count(NoticeKind::guard), 1);
+    }
 }
 
 TEST_P(LoopFaultTest, ALawThatHangsEndsWithZeroForceAndANotice)

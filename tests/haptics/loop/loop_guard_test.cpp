@@ -1,11 +1,13 @@
 #include "ode_predictive_space/haptics/loop/loop_guard.h"
 
+#include "ode_predictive_space/haptics/safety/open_gates.h"
 #include "tests/haptics/support/faulty_device.h"
 #include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/scripted_device.h"
 
 #include <atomic>
 #include <gtest/gtest.h>
+#include <stdexcept>
 #include <utility>
 
 namespace ode_predictive_space::haptics
@@ -63,6 +65,45 @@ TEST_F(LoopGuardTest, ADeviceIsUnguardedAfterTheEnd)
     EXPECT_TRUE(gate_.is_guarded());
     guard.end();
     EXPECT_FALSE(gate_.is_guarded());
+}
+
+TEST_F(LoopGuardTest, EachHangOfTheSceneTakesTheForceOfAnotherProbeInItsThread)
+{
+    ScriptedDevice device([](double) { return Vector3(Vector3::Zero()); });
+    DeviceGate gate(device);
+    open_gates::add(gate);
+    device.open();
+    DeviceState state;
+    gate.read(0, state);
+    GuardDuties duties = this->duties();
+    duties.scene_stall_after = 0.005;
+    LoopGuard guard(clock_, gate_, std::move(duties));
+    for (const int hang : {1, 2})
+    {
+        gate.notice_closing();
+        EXPECT_TRUE(gate.write(haptics::push(1)));
+        guard.begin_step(clock_.now());
+        clock_.advance(0.1);
+        EXPECT_TRUE(device.last_wrench().force.isZero(0));
+        EXPECT_EQ(notices_.count(NoticeKind::guard), hang);
+    }
+    open_gates::remove(gate);
+}
+
+TEST_F(LoopGuardTest, ASinkThatHasThrownIsNotCalledAgain)
+{
+    GuardDuties duties;
+    int calls = 0;
+    duties.sink = [&](const Notice &) {
+        ++calls;
+        throw std::runtime_error("the terminal is gone");
+    };
+    LoopGuard guard(clock_, gate_, std::move(duties));
+    for (int i = 0; i < 2; ++i)
+        guard.post(Notice(NoticeKind::safety, 0, "something"));
+    clock_.advance(0.02);
+    EXPECT_TRUE(guard.sink_failed());
+    EXPECT_EQ(calls, 1);
 }
 
 class HangingDriver : public FaultyDevice

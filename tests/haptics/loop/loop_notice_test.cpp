@@ -72,7 +72,12 @@ TEST_P(LoopNoticeTest, ACauseThatComesAgainIsToldOnceASecondAndANewOneAtOnce)
         const bool broken = std::abs(clock_.now() - 2.65) < 0.02;
         return broken ? std::optional<Material>(Material{-1}) : std::nullopt;
     });
-    loop_->run(work());
+    std::uint64_t saturated = 0;
+    probe_->set_recorder([&](const RenderedTick &tick) { saturated += tick.saturated ? 1 : 0; });
+    const LoopReport report = loop_->run(work());
+    EXPECT_GT(saturated, 10U);
+    EXPECT_EQ(report.saturated, saturated);
+    EXPECT_EQ(report.notices, notices_.all().size());
     const auto told_at = [&](const char *text) {
         std::vector<double> times;
         for (const Notice &notice : notices_.all())

@@ -29,6 +29,19 @@ TEST_P(HapticLoopTest, RendersAtItsRateForItsDuration)
     EXPECT_EQ(report.notices, 0U);
     EXPECT_NEAR(log_.force_at(2.9).z(), spring * depth, 1e-9);
     EXPECT_TRUE(log_.writes().back().wrench.force.isZero(0)) << "at the end";
+    clock_.advance(1);
+    EXPECT_EQ(loop_->report().rate, report.rate) << "of the run alone";
+}
+
+TEST_P(HapticLoopTest, OneThatIsStoppedBeforeItRunsDoesNothing)
+{
+    make();
+    loop_->stop();
+    const LoopReport report = loop_->run({[] { ADD_FAILURE(); }, [](double) { ADD_FAILURE(); }});
+    EXPECT_EQ(report.ticks, 0U);
+    EXPECT_EQ(report.rate, 0);
+    EXPECT_EQ(report.compute.mean, 0);
+    EXPECT_EQ(notices_.count(NoticeKind::stop), 1);
 }
 
 // A space that tests shapes would read a mesh in parts while the probe runs, and report its pairs meanwhile.
@@ -58,7 +71,10 @@ TEST_P(HapticLoopTest, NoTickWaitsForTheMeshesOfTheSpace)
 TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
 {
     const dGeomID broken = add_broken_geom(world_.space); // reported once a second
-    make();
+    NoticeList later;
+    RenderSettings rendering = usual_rendering();
+    rendering.notice = later.sink();
+    make(std::move(rendering));
     double last = -1;
     probe_->set_recorder([&](const RenderedTick &tick) {
         ASSERT_GE(tick.time, last);
@@ -73,6 +89,10 @@ TEST_P(HapticLoopTest, AnotherRunGoesOnInTheTimeOfTheDevice)
     EXPECT_GE(notices_.count(NoticeKind::contact), 2 * told - 1);
     EXPECT_NEAR(report.real_time_factor, 1, 1e-3);
     dGeomDestroy(broken);
+    EXPECT_TRUE(later.all().empty());
+    device_.break_now(Breakage::lost);
+    probe_->begin(7);
+    EXPECT_EQ(later.count(NoticeKind::device), 1) << "it is told where the program had it told before";
 }
 
 TEST_P(HapticLoopTest, ASignalEndsItWithZeroForceAndANotice)
@@ -151,7 +171,8 @@ TEST_P(HapticLoopTest, AStopTakesTheForceWhileTheLoopWaitsForItsNextTick)
 {
     LoopSettings slow = settings();
     slow.rate = 100;
-    slow.physics_rate = 100;
+    if (GetParam())
+        slow.physics_rate = 100;
     make(usual_rendering(), slow);
     Once stop(clock_, 2.5, [&] { loop_->stop(); });
     const auto stopper = clock_.start({0.0025, {}, std::ref(stop)});
@@ -175,9 +196,12 @@ TEST_P(HapticLoopTest, ADriverThatHangsInTheLastTickLeavesNoForce)
 TEST_P(HapticLoopTest, ALittleDelayIsMadeUpFor)
 {
     make();
-    Once delay(clock_, 1, [&] { clock_.advance(0.0032); });
+    Once delay(clock_, 1, [&] { clock_.advance(0.0052); }); // four steps are behind, the most that are made up for
     const LoopReport report = loop_->run(work(std::ref(delay)));
     EXPECT_EQ(report.dropped_steps, 0U);
+    EXPECT_EQ(report.overruns, GetParam() ? 0U : 5U);
+    EXPECT_NEAR(report.step_compute.max, 0.0052, 1e-9);
+    EXPECT_NEAR(report.compute.max, GetParam() ? 0 : 0.0052, 1e-8);
     EXPECT_NEAR(static_cast<double>(report.steps), 3000, 1);
     EXPECT_NEAR(clock_.now(), 3, 0.002);
     EXPECT_NEAR(report.real_time_factor, 1, 1e-3);

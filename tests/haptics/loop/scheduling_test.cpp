@@ -82,6 +82,40 @@ long locked_memory()
     return kilobytes;
 }
 
+TEST(Scheduling, OneRefusalOfTwoIsToldOfToo)
+{
+    SchedulingOutcome outcome;
+    outcome.asked = true;
+    EXPECT_FALSE(outcome.refused());
+    outcome.memory_error = EPERM;
+    EXPECT_TRUE(outcome.refused());
+    EXPECT_NE(outcome.text().find("has real-time priority"), std::string::npos);
+    EXPECT_NE(outcome.text().find("Memory is not locked"), std::string::npos);
+}
+
+TEST(Scheduling, IsThatOfTheLoopDuringItsRunAlone)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    SimulatedClock clock;
+    ScriptedDevice device([](double) -> Vector3 { return {0, 0, 1}; });
+    HapticProbe probe(device, world.space, 0.01);
+    LoopSettings settings = simulated(clock, 0.01);
+    settings.ask_for_priority = true;
+    long locked = 0; // kB
+    int policy = SCHED_OTHER;
+    const SceneWork work = {[] {},
+                            [&](double) {
+                                locked = locked_memory();
+                                policy = sched_getscheduler(0);
+                            }};
+    const LoopReport report = HapticLoop(probe, settings).run(work);
+    EXPECT_EQ(policy == SCHED_FIFO, report.scheduling.find("has real-time priority") != std::string::npos);
+    EXPECT_EQ(locked > 0, locks_are_real && report.scheduling.find("Memory is locked") != std::string::npos);
+    EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
+    EXPECT_EQ(locked_memory(), 0);
+}
+
 TEST(Scheduling, MemoryThatTheProgramLockedStaysLocked)
 {
     std::vector<char> own(1 << 16);

@@ -46,7 +46,8 @@ TEST_F(StepBudgetTest, ALongStepIsForgottenSlowly)
 }
 
 /// The largest number of steps per period of a scene at 60 Hz, if a step takes this part of the period.
-int steps_per_period(const CouplingCase &scenario, double part)
+/// @param servo_rate Hz.
+int steps_per_period(const CouplingCase &scenario, double part, double servo_rate = 1000)
 {
     constexpr double rate = 60;
     const OdeUse ode;
@@ -58,6 +59,7 @@ int steps_per_period(const CouplingCase &scenario, double part)
     device.open();
     HapticProbe probe(device, scene.space, radius, with_law(scenario.law()));
     LoopSettings settings = simulated(clock, 1, true, rate);
+    settings.rate = servo_rate;
     settings.notice = notices.sink();
     HapticLoop loop(probe, settings);
     double shortest = 1 / rate;
@@ -67,12 +69,17 @@ int steps_per_period(const CouplingCase &scenario, double part)
                   scene.step(step);
                   clock.advance(part / rate);
               }});
+    if (part == 0)
+    {
+        EXPECT_NEAR(clock.now(), 1, 0.01) << "it lasts as long with shorter steps";
+    }
     return static_cast<int>(std::lround(1 / (rate * shortest)));
 }
 
 TEST(StepsPerPeriod, ContactsAreSteppedAsOftenAsThereIsTimeFor)
 {
     EXPECT_GE(steps_per_period(stack(5), 0), 6);
+    EXPECT_EQ(steps_per_period(stack(5), 0, 180), 3) << "a step is not shorter than a tick";
     EXPECT_EQ(steps_per_period(stack(5), 0.12), 4);
     EXPECT_EQ(steps_per_period(stack(5), 0.2), 2);
     EXPECT_EQ(steps_per_period(stack(5), 0.3), 1);

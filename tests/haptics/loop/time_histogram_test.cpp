@@ -32,6 +32,15 @@ TEST(TimeHistogram, QuantilesAreNeverTooShortAndTooLongByLessThanTwoPercent)
     EXPECT_EQ(histogram.summary().count, 10000U);
 }
 
+TEST(TimeHistogram, ClampsTimesToItsRange)
+{
+    TimeHistogram histogram;
+    histogram.add(1e9);
+    EXPECT_EQ(histogram.quantile(1), 1e4);
+    histogram.add(0);
+    EXPECT_NEAR(histogram.quantile(0.5), 1e-9, 2e-11);
+}
+
 TEST(TimeHistogram, MeanIsExact)
 {
     TimeHistogram histogram;

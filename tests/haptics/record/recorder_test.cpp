@@ -65,6 +65,7 @@ TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
             ASSERT_TRUE(recorder.add(ticks.back().state.time, ticks.back().state, ticks.back().force));
         }
         recorder.close();
+        EXPECT_NO_THROW(recorder.close()) << "again";
         EXPECT_EQ(recorder.lost(), 0u);
         EXPECT_EQ(recorder.recorded(), 1000u);
     }
@@ -199,9 +200,16 @@ TEST(Recorder, LosesWhatCouldNotBeReadBack)
     state.position.x() = 0;
     state.orientation.coeffs().setZero();
     EXPECT_FALSE(recorder.add(4, state, Vector3::Zero()));
+    for (Vector3 DeviceState::*velocity : {&DeviceState::linear_velocity, &DeviceState::angular_velocity})
+    {
+        DeviceState fast;
+        (fast.*velocity).z() = nan;
+        EXPECT_FALSE(recorder.add(4, fast, Vector3::Zero()));
+    }
+    EXPECT_FALSE(add(recorder, std::numeric_limits<double>::infinity()));
     EXPECT_TRUE(add(recorder, 5));
     recorder.close();
-    EXPECT_EQ(recorder.lost(), 5u);
+    EXPECT_EQ(recorder.lost(), 8u);
     EXPECT_EQ(read_recording(file.path()).ticks.size(), 2u);
 }
 

@@ -120,6 +120,7 @@ TEST(ReplayDevice, WithoutADeviceItsWorkspaceIsThatOfTheMotion)
     EXPECT_EQ(device.capabilities().force_axes, 0);
     EXPECT_NEAR(device.capabilities().rate, 100, 1e-6);
     EXPECT_NEAR(device.capabilities().workspace.max().x(), 0.1, 0.002);
+    EXPECT_NEAR(device.capabilities().workspace.min().z(), -0.001, 1e-9) << "the margin";
     EXPECT_TRUE(device.capabilities().workspace.contains(path(1.23)));
 }
 
@@ -219,6 +220,7 @@ TEST(ReplayDevice, StaysAtTheEndAndSaysSo)
 TEST(ReplayDevice, OneTickIsAHandThatRests)
 {
     ReplayDevice device(smooth_run(3, 1, 1));
+    EXPECT_EQ(device.capabilities().rate, Capabilities().rate);
     device.open();
     EXPECT_EQ(device.read(0).position, path(0));
     EXPECT_EQ(device.read(0).linear_velocity, Vector3::Zero());
