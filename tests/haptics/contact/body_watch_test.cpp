@@ -54,6 +54,8 @@ TEST_F(BodyWatchTest, ForgetsWhatWasNotTouchedForLong)
         watch_.age();
         watch_.keep(touched);
     }
+    for (int tick = 0; tick < 50; ++tick)
+        watch_.age();
     EXPECT_TRUE(watch_.push(name(touched), push_force, {0, 0, 0}));
     EXPECT_EQ(dBodyGetNumJoints(touched), 1) << "kept once, however often it was touched";
     EXPECT_FALSE(watch_.push(name(left), push_force, {0, 0, 0}));

@@ -116,5 +116,14 @@ TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
     EXPECT_GT(late, 0);
 }
 
+TEST_F(ContactManifoldTest, TouchesOfOneObjectInOnePlaneKeepTheirIds)
+{
+    Touch touch = touch_of(1, 1e-5);
+    touch.from_entry_side = true;
+    const std::vector<Touch> before = tick({touch, touch}), after = tick({touch, touch});
+    EXPECT_NE(before[0].id, before[1].id);
+    for (const int i : {0, 1})
+        EXPECT_EQ(after[i].id, before[i].id);
+}
 } // namespace
 } // namespace ode_predictive_space::haptics

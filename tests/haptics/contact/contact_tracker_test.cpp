@@ -7,6 +7,8 @@
 #include "tests/haptics/support/random_numbers.h"
 #include "tests/haptics/support/ridges.h"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
@@ -199,6 +201,41 @@ TEST(ContactTracker, PlatesThatPassEachOtherKeepTheRegionSmall)
         };
         EXPECT_LT(largest_region({below.geom, above.geom}, move), 5.5 * radius) << as_mesh;
     }
+}
+
+TEST(ContactTracker, OfTooManyGeomsTheNearestStayInWhateverOrderTheyCome)
+{
+    ContactTracker tracker(radius);
+    tracker.begin();
+    tracker.aim({0, 0, 0});
+    constexpr std::size_t count = touch_capacity + 2;
+    std::array<char, count> names{};
+    ProbeTool ball;
+    ball.radius = 1e-6;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        ball.region = reinterpret_cast<dGeomID>(&names[i]);
+        ball.centre.x() = 1e-5 * static_cast<double>(count - i);
+        tracker.add_if_near(NearbyGeom::of(ball));
+    }
+    EXPECT_TRUE(tracker.exceeds_capacity());
+    ASSERT_EQ(tracker.near().size(), touch_capacity);
+    EXPECT_EQ(tracker.near().front().geom.id(), ball.region);
+    EXPECT_NEAR(tracker.near().back().distance, 1e-5 * touch_capacity - ball.radius, 1e-12);
+    tracker.begin();
+    EXPECT_FALSE(tracker.exceeds_capacity());
+}
+
+TEST(ContactTracker, OfTooManyTouchesThoseThatHoldTheProxyStay)
+{
+    Touch touch;
+    touch.depth = 0.001;
+    touch.is_solved = true;
+    std::vector<Touch> touches(touch_capacity + 1, touch);
+    touches.back().depth = touches.back().carry.share = 0.0005;
+    EXPECT_TRUE(keep_within_capacity(touches));
+    const auto holds = [](const Touch &kept) { return kept.carry.carries(); };
+    EXPECT_EQ(std::count_if(touches.begin(), touches.end(), holds), 1);
 }
 
 TEST(ContactTracker, KeepsAMeshAliveUntilAnotherTakesItsPlace)

@@ -21,6 +21,23 @@ TEST(GeomContact, DepthFollowsTheToolAlongTheNormal)
     EXPECT_NEAR(deeper.depth, 0.002 + 0.001 * std::sqrt(2), 1e-15);
     EXPECT_NEAR(deeper.point.y(), 0.7, 1e-15) << "the contact goes with the tool along the surface";
     EXPECT_LT(wall.touch_at(tool + Vector3(0.002, 0, 0.001)).depth, 0) << "outside";
+    NearbyGeom turning = wall;
+    turning.set_motion({Vector3::Zero(), Vector3::Zero(), Vector3::UnitY()});
+    EXPECT_NEAR(turning.later(0.001).touch_at(tool).depth, 0.002 + 0.001 * 0.999 * std::sqrt(0.5), 1e-12);
+}
+
+TEST(Mobility, TurnsWithTheBody)
+{
+    const OdeUse ode;
+    ProbeWorld world;
+    const dBodyID body = world.add_body({0, 0, 0}, 1);
+    dMass mass;
+    dMassSetBoxTotal(&mass, 1, 0.1, 0.02, 0.02);
+    dBodySetMass(body, &mass);
+    const double along_z = Mobility::of(body).along({0.05, 0, 0}, Vector3::UnitZ());
+    const dQuaternion about_z = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
+    dBodySetQuaternion(body, about_z);
+    EXPECT_NEAR(Mobility::of(body).along({0, 0.05, 0}, Vector3::UnitZ()), along_z, 1e-9);
 }
 
 TEST(GeomContact, AServoRendersAMovingPlateBetweenTheStepsOfTheScene)

@@ -142,13 +142,20 @@ TEST(HeightfieldContact, SamplesThatMakeNoFieldAreRefused)
     HeightfieldSamples samples = field.samples();
     samples.heights.pop_back();
     EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
-    samples = field.samples();
-    samples.width = 0;
-    EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
-    samples = field.samples();
-    samples.width_samples = 1;
-    samples.heights.resize(static_cast<std::size_t>(samples.depth_samples));
-    EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
+    for (double HeightfieldSamples::*const side : {&HeightfieldSamples::width, &HeightfieldSamples::depth})
+    {
+        samples = field.samples();
+        samples.*side = 0;
+        EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
+    }
+    for (int HeightfieldSamples::*const count :
+         {&HeightfieldSamples::width_samples, &HeightfieldSamples::depth_samples})
+    {
+        samples = field.samples();
+        samples.*count = 1;
+        samples.heights.resize(21);
+        EXPECT_THROW(sensor.set_samples(field.data(), samples), std::invalid_argument);
+    }
 }
 
 /// ODE's rays show the true surface: the order of rows and columns, and the diagonals of the cells.

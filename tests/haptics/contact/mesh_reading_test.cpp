@@ -78,6 +78,18 @@ TEST_F(MeshReadingTest, BeginsAgainWhenTheMeshIsAnotherOne)
     EXPECT_EQ(store.tree_of(geom, {})->count(), 1800U);
 }
 
+TEST_F(MeshReadingTest, AllMeshesOfTheSceneArePreparedInWhateverSpacesTheyAre)
+{
+    const OdeMesh mesh(sheet_mesh(1, 60));
+    const dGeomID geom = mesh.add_to(make_space(SpaceChoice::simple, world_.space));
+    TouchSensor sensor(make_space(SpaceChoice::hash, world_.space), radius);
+    sensor.prepare_all();
+    sensor.clear();
+    sensor.pose({});
+    EXPECT_TRUE(sensor.touch(geom, sensor.geom()));
+    EXPECT_FALSE(sensor.is_reading());
+}
+
 class UnpreparedMeshTest : public ContactTest
 {};
 

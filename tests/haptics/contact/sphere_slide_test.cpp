@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 #include <set>
 
 namespace ode_predictive_space::haptics
@@ -73,7 +74,11 @@ TEST(MeshTree, AFlatFloorIsOneFeatureHoweverManyTrianglesItHas)
     const MeshShape sheet = sheet_mesh(0.1, 50);
     std::vector<TriangleCorners> triangles;
     for (const auto &indices : sheet.triangles)
+    {
         triangles.push_back({sheet.vertices[indices[0]], sheet.vertices[indices[1]], sheet.vertices[indices[2]]});
+        for (Vector3 &corner : triangles.back())
+            corner.z() = triangles.size() % 2 == 0 ? 0.0 : -0.0; // the same place
+    }
     const MeshTree tree(triangles);
     RandomNumbers random(3);
     for (int i = 0; i < 200; ++i)
@@ -243,10 +248,37 @@ TEST(MeshStore, GeomsOfTheSameDataShareATreeUntilItsTrianglesChange)
     EXPECT_NE(store.tree_of(geom, touched), tree) << "at once, if it is touched";
     const auto changed = store.tree_of(geom, {});
     EXPECT_EQ(store.tree_of(geom, touched), changed);
+    moved.vertices.back().z() += 0.001; // a corner of the last two triangles
+    mesh.set(moved);
+    dGeomTriMeshSetData(geom, mesh.data());
+    for (int i = 0; i < 3; ++i)
+        store.tree_of(geom, {});
+    const auto latest = store.tree_of(geom, {});
+    EXPECT_NE(latest, changed) << "each look compares eight of the 32 triangles";
     store.forget(mesh.data());
-    EXPECT_NE(store.tree_of(geom, {}), changed);
+    EXPECT_NE(store.tree_of(geom, {}), latest);
     dGeomDestroy(geom);
     dGeomDestroy(twin);
+}
+
+TEST(MeshStore, OfManyMeshesTheNewestTreesAreKept)
+{
+    const OdeUse ode;
+    MeshStore store;
+    std::vector<std::unique_ptr<OdeMesh>> meshes;
+    std::vector<dGeomID> geoms;
+    std::vector<std::shared_ptr<const MeshTree>> trees;
+    for (int i = 0; i < 300; ++i)
+    {
+        meshes.push_back(std::make_unique<OdeMesh>(sheet_mesh(0.1, 1)));
+        geoms.push_back(meshes.back()->add_to(nullptr));
+        trees.push_back(store.tree_of(geoms.back(), {}));
+    }
+    EXPECT_EQ(store.count(), 256U);
+    EXPECT_EQ(store.tree_of(geoms[44], {}), trees[44]);
+    EXPECT_NE(store.tree_of(geoms[43], {}), trees[43]);
+    for (const dGeomID geom : geoms)
+        dGeomDestroy(geom);
 }
 
 TEST(Solid, InsideAndOutsideAreTold)
@@ -256,15 +288,21 @@ TEST(Solid, InsideAndOutsideAreTold)
     const Solid solid = Solid::of(box);
     EXPECT_NEAR(solid.nearest({0.9, 0, 0}).distance, -0.1, 1e-12);
     EXPECT_TRUE(solid.nearest({0.9, 0, 0}).normal.isApprox(Vector3::UnitX()));
+    EXPECT_TRUE(solid.nearest({-0.9, 0, 0}).normal.isApprox(-Vector3::UnitX()));
+    EXPECT_TRUE(solid.nearest({-0.9, 0, 0}).point.isApprox(-Vector3::UnitX()));
     EXPECT_NEAR(solid.nearest({2, 3, 0}).distance, std::sqrt(2), 1e-12);
     const dGeomID cylinder = dCreateCylinder(nullptr, 1, 2);
     const Solid round = Solid::of(cylinder);
     EXPECT_NEAR(round.nearest({1.3, 0, 1.4}).distance, 0.5, 1e-12) << "from the rim";
     EXPECT_NEAR(round.nearest({0, 0.8, 0}).distance, -0.2, 1e-12);
     EXPECT_NEAR(round.nearest({0, 0.1, -0.9}).normal.z(), -1, 1e-12);
+    const dGeomID capsule = dCreateCapsule(nullptr, 1, 2), plane = dCreatePlane(nullptr, 0, 0, 1, 2);
+    for (const double z : {3, -3})
+        EXPECT_NEAR(Solid::of(capsule).nearest({0, 0, z}).distance, 1, 1e-12);
+    EXPECT_NEAR(Solid::of(plane).nearest({5, 6, 3}).distance, 1, 1e-12);
     const dGeomID field = dCreateRay(nullptr, 1);
     EXPECT_FALSE(Solid::of(field).is_known());
-    for (const dGeomID geom : {box, cylinder, field})
+    for (const dGeomID geom : {box, cylinder, capsule, plane, field})
         dGeomDestroy(geom);
 }
 } // namespace

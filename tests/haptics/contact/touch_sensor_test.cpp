@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
+#include <stdexcept>
 
 namespace ode_predictive_space::haptics
 {
@@ -51,8 +52,13 @@ class TouchSensorTest : public testing::Test
 protected:
     const std::vector<Touch> &look(TouchSensor &sensor, const Vector3 &position)
     {
+        return look_as(sensor, at(position));
+    }
+
+    const std::vector<Touch> &look_as(TouchSensor &sensor, const ToolState &tool)
+    {
         sensor.clear();
-        sensor.pose(at(position));
+        sensor.pose(tool);
         dSpaceCollide(world_.space, &sensor, [](void *data, dGeomID first, dGeomID second) {
             static_cast<TouchSensor *>(data)->touch(first, second);
         });
@@ -138,6 +144,123 @@ TEST_F(TouchSensorTest, OfAnObjectThatIsCollidedByOdeTheDeepestContactCounts)
     }
     ASSERT_EQ(look(sensor, {0, 0, 0.005}).size(), 1U);
     EXPECT_NEAR(sensor.touches()[0].depth, 0.005, 1e-9);
+}
+
+TEST_F(TouchSensorTest, AGeomOfTheProgramTurnsWithTheTool)
+{
+    TouchSensor sensor(dCreateBox(world_.space, 0.02, 0.02, 0.06));
+    world_.add_box({0.2, 0.2, 0.2}, {0, 0, -0.1});
+    ToolState tool = at({0, 0, 0.025});
+    EXPECT_EQ(look_as(sensor, tool).size(), 1U);
+    tool.orientation = Quaternion(Eigen::AngleAxisd(std::acos(0.0), Vector3::UnitY()));
+    EXPECT_TRUE(look_as(sensor, tool).empty());
+    tool.orientation.setIdentity();
+    EXPECT_EQ(look_as(sensor, tool).size(), 1U);
+}
+
+TEST_F(TouchSensorTest, AGeomOfTheProgramFeelsTheMaterialOfWhatItTouches)
+{
+    TouchSensor sensor(dCreateBox(world_.space, 0.02, 0.02, 0.02));
+    world_.add_box({0.2, 0.2, 0.2}, {0, 0, -0.1});
+    double stiffness = 300; // N/m
+    sensor.set_materials([&](dGeomID) { return Material{stiffness}; });
+    EXPECT_EQ(look(sensor, {0, 0, 0.008}).at(0).material.value().stiffness, 300);
+    stiffness = -1;
+    EXPECT_FALSE(look(sensor, {0, 0, 0.008}).at(0).material);
+    EXPECT_TRUE(sensor.saw_nonsense());
+    stiffness = 200;
+    EXPECT_EQ(look(sensor, {0, 0, 0.008}).at(0).material.value().stiffness, 200);
+    EXPECT_FALSE(sensor.saw_nonsense());
+}
+
+TEST_F(TouchSensorTest, AGeomOfTheProgramDoesNotTouchWhatItBeginsInUntilItHasLeft)
+{
+    TouchSensor sensor(dCreateBox(world_.space, 0.02, 0.02, 0.02));
+    world_.add_box({0.2, 0.2, 0.2}, {0, 0, -0.1});
+    sensor.forget_sides();
+    for (const double z : {0.005, 0.009, 0.012})
+        EXPECT_TRUE(look(sensor, {0, 0, z}).empty()) << z;
+    EXPECT_EQ(look(sensor, {0, 0, 0.005}).size(), 1U);
+}
+
+TEST_F(TouchSensorTest, OfTooManyObjectsTheDeepestAreTouched)
+{
+    TouchSensor sensor(dCreateBox(world_.space, 0.02, 0.02, 0.02));
+    constexpr int beyond = 4;
+    for (int i = 0; i < static_cast<int>(touch_capacity) + beyond; ++i)
+        world_.add_box({0.2, 0.2, 0.2}, {0, 0, 1e-5 * i - 0.1});
+    world_.add_box({0.2, 0.2, 0.2}, {1, 0, -0.1});
+    EXPECT_EQ(look(sensor, {0, 0, 0.009}).size(), touch_capacity);
+    EXPECT_TRUE(sensor.exceeds_capacity());
+    for (const Touch &touch : sensor.touches())
+        EXPECT_GT(touch.depth, 0.001 + 1e-5 * (beyond - 0.5));
+    EXPECT_EQ(look(sensor, {1, 0, 0.009}).size(), 1U);
+    EXPECT_FALSE(sensor.exceeds_capacity());
+}
+
+TEST_F(TouchSensorTest, PushesATouchedBodyButDoesNotWakeItWithoutAForce)
+{
+    for (const bool own_geom : {false, true})
+    {
+        const dBodyID body = world_.add_moving_box({0.2, 0.2, 0.2}, {0, 0, -0.1}, 1);
+        dBodyDisable(body);
+        std::optional<TouchSensor> sensor;
+        own_geom ? sensor.emplace(dCreateSphere(world_.space, radius)) : sensor.emplace(world_.space, radius);
+        ASSERT_EQ(look(*sensor, {0, 0, 0.008}).size(), 1U);
+        ForceShare share;
+        share.object = sensor->touches()[0].object;
+        sensor->push({share});
+        EXPECT_EQ(dBodyIsEnabled(body), 0) << own_geom;
+        share.force.z() = 3;
+        sensor->push({share});
+        EXPECT_EQ(dBodyIsEnabled(body), 1) << own_geom;
+        EXPECT_EQ(dBodyGetForce(body)[2], -3) << own_geom;
+        dGeomDestroy(dBodyGetFirstGeom(body));
+        dBodyDestroy(body);
+    }
+}
+
+TEST_F(TouchSensorTest, AfterAJumpNothingIsLeftOfThePlateThatHeldIt)
+{
+    TouchSensor sensor(world_.space, radius);
+    world_.add_moving_box({0.2, 0.2, 0.001}, {0, 0, -0.0005}, 1);
+    EXPECT_TRUE(look(sensor, {0, 0, 0.012}).empty());
+    EXPECT_EQ(look(sensor, {0, 0, 0.005}).size(), 1U);
+    sensor.forget_sides();
+    EXPECT_TRUE(look(sensor, {0, 0, -0.02}).empty());
+    sensor.forget_sides();
+    EXPECT_EQ(look(sensor, {0, 0, radius - 5e-5}).size(), 1U) << "it begins on the plate, not in it";
+}
+
+TEST_F(TouchSensorTest, TheSphereOfAProbeInAnotherSpaceOfTheSceneMovesAsItsTool)
+{
+    const dSpaceID nested = dSimpleSpaceCreate(world_.space);
+    TouchSensor other(nested, radius), sensor(world_.space, radius);
+    ToolState tool;
+    tool.linear_velocity = {0.1, 0.2, 0.3};
+    other.pose(tool);
+    ASSERT_EQ(look(sensor, {0, 0, 0.018}).size(), 1U);
+    EXPECT_EQ(sensor.touches()[0].surface_velocity, tool.linear_velocity);
+    dSpaceDestroy(nested);
+    other.pose(tool);
+    EXPECT_TRUE(look(sensor, {0, 0, 0.018}).empty()) << "it went with its space";
+}
+
+TEST_F(TouchSensorTest, AfterAnExceptionTheCallbackIsNotCalledAgain)
+{
+    const dSpaceID things = dSimpleSpaceCreate(world_.space);
+    for (int i = 0; i < 3; ++i)
+        dCreateSphere(things, 1);
+    const dGeomID box = world_.add_box({1, 1, 1}, {0, 0, 0});
+    int calls = 0;
+    const auto near = [](void *count, dGeomID, dGeomID) {
+        ++*static_cast<int *>(count);
+        throw std::runtime_error("near callback");
+    };
+    EXPECT_THROW(safe_collide(things, &calls, near), std::runtime_error);
+    EXPECT_EQ(calls, 1);
+    EXPECT_THROW(safe_collide2(box, reinterpret_cast<dGeomID>(things), &calls, near), std::runtime_error);
+    EXPECT_EQ(calls, 2);
 }
 
 TEST_F(TouchSensorTest, AGeomOfTheProgramStaysWhenTheSensorGoes)

@@ -195,11 +195,39 @@ TEST_F(HapticProbeTest, AWorkspaceInAnotherFrameIsFeltTheSame)
     RenderSettings settings = with_stiffness(400);
     settings.placement.rotation = WorkspacePlacement::z_up();
     settings.placement.scale = 2;
+    settings.placement.force_scale = 0.5;
     ScriptedDevice device(reach({0, 0.04, 0}, {0, 0.004, 0})); // y is up for the hand: 8 mm in the scene
     HapticProbe probe(device, world.space, radius, std::move(settings));
     world.run(probe, reach_ticks);
     EXPECT_NEAR(probe.last_tick().force.z(), 0.8, 1e-9);
-    EXPECT_NEAR(device.last_wrench().force.y(), 0.8, 1e-9);
+    EXPECT_NEAR(device.last_wrench().force.y(), 0.4, 1e-9);
+}
+
+TEST_F(HapticProbeTest, ALawThatIsSetBetweenTwoTicksGetsTheTouchesInItsOwnView)
+{
+    ProbeWorld world;
+    for (int i = 0; i < 2; ++i)
+        add_shape(world, Shape::box);
+    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.002}));
+    HapticProbe probe(device, world.space, radius, with_stiffness(300));
+    world.run(probe, reach_ticks);
+    EXPECT_NEAR(probe.last_tick().requested.z(), 2 * 300 * 0.002, 1e-9) << "each box pushes";
+    probe.renderer().set_law(make_law(true, {300}));
+    world.run(probe, 100);
+    EXPECT_NEAR(probe.last_tick().requested.z(), 300 * 0.002, 1e-6) << "both hold one proxy";
+}
+
+TEST_F(HapticProbeTest, AToolThatJumpsThroughAPlateIsNotHeldByIt)
+{
+    ProbeWorld world;
+    world.add_box({0.4, 0.4, 0.001}, {0, 0, 0});
+    ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, seconds < 0.0995 ? 0.02 : -0.03}; });
+    HapticProbe probe(device, world.space, radius);
+    world.run(probe, 100);
+    const int jumps = probe.last_tick().tool_jumps;
+    world.run(probe, 1);
+    EXPECT_EQ(probe.last_tick().tool_jumps, jumps + 1);
+    EXPECT_TRUE(probe.touches().empty());
 }
 
 TEST_F(HapticProbeTest, ADeviceThatCannotPushStillPushesBodies)

@@ -33,6 +33,9 @@ TEST_F(HapticProbeTest, WhatTheHandGetsTheToolLoses)
     const dBodyID tool = world.add_body({0, 0, 0.05}, 0.5);
     ScriptedDevice device(reach({0, 0, 0.05}, {0.1, 0.02, 0.006}));
     HapticProbe probe(device, tool, CouplingProperties(), RenderSettings());
+    dBodyDisable(tool);
+    world.run(probe, 100);
+    EXPECT_EQ(dBodyIsEnabled(tool), 0) << "it rests where the hand is";
     const Vector3 impulse = impulse_on_hand(world, probe, 1300);
     EXPECT_GT(impulse.norm(), 0.01);
     EXPECT_LE((impulse + momentum_of(tool)).norm(), 1e-9 * impulse.norm());
@@ -126,6 +129,28 @@ TEST_F(HapticProbeTest, AToolBodyOfAnyMassFollowsTheHandAndALightOneIsNamed)
     }
 }
 
+TEST_F(HapticProbeTest, ADeviceThatTurnsTheHandGetsTheTorqueAndTheToolItsOpposite)
+{
+    ProbeWorld world;
+    const dBodyID tool = world.add_body(Vector3::Zero(), 0.1);
+    Capabilities six = desktop_capabilities();
+    six.force_axes = 6;
+    TurnedDevice device([](double) -> Vector3 { return Vector3::Zero(); }, six);
+    RenderSettings settings;
+    settings.placement.rotation = WorkspacePlacement::z_up();
+    settings.placement.force_scale = 0.5;
+    HapticProbe probe(device, tool, CouplingProperties(), settings);
+    for (int tick = 0; tick < 1000; ++tick)
+    {
+        dBodySetTorque(tool, 0, 0, 0);
+        probe.begin(dt * tick);
+        probe.render(dt);
+        device.turn = Quaternion(Eigen::AngleAxisd(0.05, Vector3::UnitY())); // about z in the scene
+    }
+    EXPECT_NEAR(device.last_wrench().torque.y(), -0.5 * 0.05 * 0.5, 1e-9);
+    EXPECT_NEAR(dBodyGetTorque(tool)[2], 0.5 * 0.05, 1e-9);
+}
+
 // Its motors cannot turn the handle, but the torque on the tool belongs to the same coupling.
 TEST_F(HapticProbeTest, ATorqueOnTheToolComesOnAsGraduallyAsTheForce)
 {
@@ -156,9 +181,12 @@ TEST_F(HapticProbeTest, AToolBodyThatIsGoneEndsWithZeroForceAndANotice)
         dBodySetKinematic(tool);
         NoticeList notices;
         ScriptedDevice device(reach({0, 0, 0}, {0.004, 0, 0}));
-        HapticProbe probe(device, tool, CouplingProperties(), with_stiffness(500, notices.sink()));
+        CouplingProperties stiff;
+        stiff.stiffness = 3000;
+        HapticProbe probe(device, tool, stiff, with_stiffness(500, notices.sink()));
         world.run(probe, reach_ticks);
-        EXPECT_LT(device.last_wrench().force.x(), -1);
+        EXPECT_NEAR(device.last_wrench().force.x(), -1000 * 0.004, 1e-6) << "all that the device can render";
+        EXPECT_EQ(notices.count(NoticeKind::stability), 1);
         dBodyDestroy(tool);
         if (with_its_world)
             dWorldDestroy(own_world);

@@ -129,10 +129,12 @@ TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
         if (tick > 10 && tick < 100)
         {
             ASSERT_NEAR(force, 0.5, 1e-12) << tick;
+            ASSERT_TRUE(renderer.last_tick().saturated) << tick;
         }
         if (tick > 110 && tick < 210) // 5 mJ went in, and up to 4.4 mJ come out
         {
             ASSERT_NEAR(force, 0.4, 1e-12) << tick;
+            ASSERT_FALSE(renderer.last_tick().saturated) << tick;
         }
         if (tick > 240)
             least = std::min(least, force);
@@ -151,14 +153,14 @@ TEST(Renderer, AClutchReleasedInsideOfSomethingLetsItsForceRiseWithinHalfASecond
 {
     ScriptedDevice device(&press_wall);
     RenderSettings settings;
-    settings.clutch_button = 0;
+    settings.clutch_button = 4;
     Renderer renderer(device, settings);
     double before = 0;
     double pressing = 0;
     for (int tick = 0; tick < 2900; ++tick)
     {
         const double time = dt * tick;
-        device.buttons = time > 1.5 && time < 1.6 ? 1 : 0;
+        device.buttons = time > 1.5 && time < 1.6 ? 1 << 4 : 15; // the other buttons are no clutch
         feel_wall(renderer, time);
         const double force = renderer.last_tick().force.z();
         if (time > 1.2 && time < 1.5)
@@ -265,6 +267,7 @@ TEST(Renderer, ALawMayBeChangedBetweenTwoTicks)
     large.scale = 4;
     renderer.set_placement(large);
     EXPECT_EQ(renderer.rendered(stiff).stiffness, 250) << "the hand goes a quarter as far";
+    EXPECT_EQ(renderer.law().material().stiffness, 3000) << "the law stays";
     Material nonsense;
     nonsense.damping = 100;
     EXPECT_THROW(renderer.set_law(std::make_shared<PenaltyLaw>(nonsense)), std::invalid_argument);

@@ -44,6 +44,7 @@ TEST_F(ProbeFaultTest, ABodyGetsNothingFromADeviceThatIsLost)
     const Vector3 before = momentum_of(body);
     EXPECT_LT(before.z(), 0);
     world.run(probe, 100);
+    EXPECT_FALSE(probe.last_tick().device_answers);
     EXPECT_EQ(momentum_of(body), before);
 }
 
