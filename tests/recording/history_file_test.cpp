@@ -59,6 +59,16 @@ TEST(HistoryFile, EndsWithTheLastWholeRecordWhenTheDiskIsFull)
         EXPECT_TRUE(file.write(std::string(100, 'a')));
         EXPECT_FALSE(file.write(std::string(100, 'b')));
         EXPECT_EQ(signals_of_size, 0) << "the program may not expect it";
+        std::raise(SIGXFSZ);
+        EXPECT_EQ(signals_of_size, 1) << "signals come again";
+        sigset_t of_size;
+        sigemptyset(&of_size);
+        sigaddset(&of_size, SIGXFSZ);
+        pthread_sigmask(SIG_BLOCK, &of_size, nullptr);
+        std::raise(SIGXFSZ);
+        file.write("c");
+        pthread_sigmask(SIG_UNBLOCK, &of_size, nullptr);
+        EXPECT_EQ(signals_of_size, 2) << "the program has held this one back";
     }
     EXPECT_EQ(file.error(), EFBIG);
     EXPECT_EQ(file.size(), 100u);

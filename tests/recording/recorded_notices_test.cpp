@@ -4,6 +4,9 @@
 #include <set>
 #include <vector>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <ode/ode.h>
 
 #include <gtest/gtest.h>
@@ -148,6 +151,32 @@ TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
     dWorldDestroy(world);
 }
 
+// The ray turns its body after two notices; the box stays, although the replay repeats these.
+TEST_F(RecorderTest, AGeomThatDoesNotFollowItsBodyStaysThereAfterItsNotices)
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    balls_in(space);
+    const dBodyID body = dBodyCreate(world);
+    const dGeomID ray = dCreateRay(space, 5), box = dCreateBox(space, 1, 2, 3);
+    dGeomSetBody(ray, body);
+    dGeomSetBody(box, body);
+    dGeomSetOffsetPosition(box, 1, 2, 3);
+    Recorded recorded;
+    recorded.collide(space);
+    dBodySetPosition(body, 0, 0, 1);
+    dBodySetPosition(body, 0, 0, 2);
+    dGeomGetPosition(box); // ODE computes it here
+    dGeomRaySet(ray, 0, 0, 0, 1, 0, 0);
+    recorded.collide(space);
+    const Recording recording = recorded.end();
+    const auto stage = staged(recording);
+    expect_same(ray, stage->geom(31));
+    expect_same(box, stage->geom(32));
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+}
+
 TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpacesAreNot)
 {
     const dSpaceID space = dPredictiveSpaceCreate(nullptr), inner = dPredictiveSpaceCreate(space),
@@ -193,9 +222,49 @@ TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
         Recorder recorder(HistoryFile(file.path(), false), 1 << 24, "a test", [=](dSpaceID) { return is_substitute; });
         recorder.begin_collide(space).end();
         recorder.close();
-        EXPECT_EQ(full_name_of(own_kind(Recording::read(file.path()).state_of_first_space())),
-                  is_substitute ? "hash" : "predictive, by box");
+        const GeomState state = Recording::read(file.path()).state_of_first_space();
+        EXPECT_EQ(full_name_of(own_kind(state)), is_substitute ? "hash" : "predictive, by box");
+        EXPECT_EQ(full_name_of(recorded_kind(state)), "predictive, by box");
     }
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, APredictiveSpaceComesBackWithItsProximity)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape, dPredictiveProximityBox})
+    {
+        dPredictiveSpaceSetProximity(space, proximity);
+        Recorded recorded;
+        recorded.collide(space);
+        const Recording recording = recorded.end();
+        for (const SpaceKind kind : {SpaceKind::own, predictive_kind(proximity)})
+        {
+            const auto stage = staged(recording, kind);
+            EXPECT_EQ(dPredictiveSpaceGetProximity(reinterpret_cast<dSpaceID>(stage->geom(0))), proximity);
+        }
+    }
+    dSpaceDestroy(space);
+}
+
+TEST_F(RecorderTest, AForkedProgramCountsNoNotices)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = balls_in(space).front();
+    dSpaceCollide(space, nullptr, ignore);
+    Notices notices(space);
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        alarm(10); // ends a child that waits for a lock
+        dGeomSetPosition(ball, 0, 1, 0);
+        _exit(notices.take({ball})[0]);
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0) << "there is nobody to take them";
+    dGeomSetPosition(ball, 0, 1, 0);
+    EXPECT_EQ(notices.take({ball})[0], 1) << "its parent goes on";
     dSpaceDestroy(space);
 }
 

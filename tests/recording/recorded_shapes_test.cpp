@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <ode/ode.h>
@@ -205,6 +206,32 @@ TEST_F(RecorderTest, AHeightfieldIsRecordedAgainWhenItsSamplesChange)
     dGeomHeightfieldDataDestroy(field);
 }
 
+TEST_F(RecorderTest, AHeightfieldWithASampleThatIsNoNumberIsItsBoxAlsoOnABody)
+{
+    const float heights[4] = {0, 1, 2, std::numeric_limits<float>::quiet_NaN()};
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildSingle(field, heights, 0, 4, 4, 2, 2, 1, 0, 1, 0);
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    for (const dGeomID each : {dCreateHeightfield(space, field, 1), dCreateSphere(space, 1)})
+    {
+        dGeomSetBody(each, body);
+        dGeomSetOffsetPosition(each, 10, 0, 0);
+    }
+    dGeomSetPosition(dCreateSphere(space, 1), REAL(12.5), 0, 0);
+    Recorded recorded;
+    EXPECT_EQ(recorded.collide(space), 1) << "none of two geoms on one body";
+    dBodySetPosition(body, 0, 20, 0);
+    EXPECT_EQ(recorded.collide(space), 0);
+    const Recording recording = recorded.end();
+    EXPECT_EQ(recording.stand_ins(), 1u);
+    expect_pairs_agree(recording);
+    dSpaceDestroy(space);
+    dWorldDestroy(world);
+    dGeomHeightfieldDataDestroy(field);
+}
+
 TEST_F(RecorderTest, TheCallbackOfAHeightfieldIsCalledOnceForEachSample)
 {
     int calls = 0;
@@ -232,7 +259,10 @@ TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
 {
     const dWorldID world = dWorldCreate();
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    std::vector<dGeomID> transforms, held = {dCreateBox(nullptr, 1, 2, 3), dCreateCapsule(nullptr, REAL(0.5), 2)};
+    Tetrahedron tetrahedron;
+    std::vector<dGeomID> transforms,
+        held = {dCreateBox(nullptr, 1, 2, 3), dCreateCapsule(nullptr, REAL(0.5), 2),
+                dCreateConvex(nullptr, tetrahedron.planes, 4, tetrahedron.points, 4, tetrahedron.polygons)};
     dMatrix3 rotation;
     dRFromEulerAngles(rotation, REAL(0.3), REAL(0.7), REAL(0.1));
     for (const dGeomID each : held)
@@ -242,9 +272,13 @@ TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
         transforms.push_back(dCreateGeomTransform(space));
         dGeomTransformSetGeom(transforms.back(), each);
         dGeomTransformSetCleanup(transforms.back(), 1);
+        dGeomSetCategoryBits(transforms.back(), 3);
+        dGeomSetCollideBits(transforms.back(), 6);
     }
+    dGeomDisable(transforms[2]);
     const dBodyID body = dBodyCreate(world);
     dGeomSetBody(transforms[1], body);
+    dGeomSetOffsetPosition(transforms[1], 0, REAL(0.1), 0);
     const dGeomID ball = dCreateSphere(space, 2), other = create_geom(GeomKind::user, 1, space);
     Recorded recorded;
     for (int i = 0; i < 5; ++i)
@@ -256,19 +290,22 @@ TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
         dGeomSetPosition(other, dReal(i), 0, 0);
         recorded.collide(space);
     }
+    dCreateGeomTransform(space); // it holds nothing
+    recorded.collide(space);
     const Recording recording = recorded.end();
-    EXPECT_EQ(recording.stand_ins(), 1u);
+    EXPECT_EQ(recording.stand_ins(), 2u);
     const auto stage = staged(recording);
     EXPECT_EQ(dGeomGetClass(stage->geom(1)), dBoxClass);
     EXPECT_EQ(dGeomGetClass(stage->geom(2)), dCapsuleClass);
-    for (std::uint32_t i = 0; i < 2; ++i)
+    EXPECT_EQ(dGeomGetClass(stage->geom(3)), dConvexClass);
+    for (std::uint32_t i = 0; i < 3; ++i)
     {
         expect_same(transforms[i], stage->geom(i + 1));
         const std::vector<dReal> contacts = contacts_of(transforms[i], ball);
         EXPECT_FALSE(contacts.empty());
-        EXPECT_EQ(contacts, contacts_of(stage->geom(i + 1), stage->geom(3)));
+        EXPECT_EQ(contacts, contacts_of(stage->geom(i + 1), stage->geom(4)));
     }
-    expect_same(other, stage->geom(4));
+    expect_same(other, stage->geom(5));
     expect_pairs_agree(recording);
     dSpaceDestroy(space);
     dWorldDestroy(world);

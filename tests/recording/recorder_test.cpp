@@ -23,6 +23,10 @@ TEST_F(RecorderTest, EachClassComesBackToTheBit)
     const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
     dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
                                 3 * sizeof(dTriIndex));
+    const double corners[12] = {-0.5, -0.5, -0.5, 0.1, -0.5, -0.5, -0.5, 0.7, -0.5, -0.5, -0.5, 0.3};
+    const dTriMeshDataID of_doubles = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildDouble(of_doubles, corners, 3 * sizeof(double), 4, tetrahedron.triangles, 12,
+                                3 * sizeof(dTriIndex));
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     const std::vector<dGeomID> geoms = {
         dCreateSphere(space, dReal(0.1)),
@@ -32,7 +36,8 @@ TEST_F(RecorderTest, EachClassComesBackToTheBit)
         dCreateRay(space, dReal(1.1)),
         dCreatePlane(space, dReal(0.1), dReal(0.2), dReal(0.3), dReal(-0.7)),
         dCreateConvex(space, tetrahedron.planes, 4, tetrahedron.points, 4, tetrahedron.polygons),
-        dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr)};
+        dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr),
+        dCreateTriMesh(space, of_doubles, nullptr, nullptr, nullptr)};
     for (std::size_t i = 0; i < geoms.size(); ++i)
     {
         dGeomSetCategoryBits(geoms[i], 3ul << i);
@@ -56,6 +61,7 @@ TEST_F(RecorderTest, EachClassComesBackToTheBit)
     expect_pairs_agree(recording);
     dSpaceDestroy(space);
     dGeomTriMeshDataDestroy(mesh);
+    dGeomTriMeshDataDestroy(of_doubles);
 }
 
 TEST_F(RecorderTest, GeomsOnBodiesComeBackToTheBit)
@@ -194,6 +200,21 @@ TEST_F(RecorderTest, SpacesComeBackWithTheirLevels)
         EXPECT_EQ(dSpaceGetSublevel(space), dSpaceGetSublevel(spaces[id]));
     }
     dSpaceDestroy(outer);
+}
+
+TEST_F(RecorderTest, AGeomOfASpaceThatIsNotAskedStaysKnownWhenAnotherSpaceLosesAGeom)
+{
+    const dSpaceID other = dSimpleSpaceCreate(nullptr), asked = dSimpleSpaceCreate(nullptr);
+    const dGeomID probe = dCreateSphere(other, 1), ball = dCreateSphere(asked, 1);
+    dCreateSphere(asked, 1);
+    Recorded recorded;
+    recorded.collide(other);
+    recorded.collide(asked);
+    dGeomDestroy(ball);
+    EXPECT_EQ(recorded.ask(probe, reinterpret_cast<dGeomID>(asked)), 1);
+    expect_pairs_agree(recorded.end());
+    dSpaceDestroy(other);
+    dSpaceDestroy(asked);
 }
 
 // The next allocation gets the memory that was freed last.

@@ -45,6 +45,27 @@ TEST_F(RecorderTest, NoLimitIsExceeded)
     dSpaceDestroy(space);
 }
 
+// A callback may collide, too.
+TEST_F(RecorderTest, NoLimitIsExceededByCollidesWithinACollide)
+{
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    dCreateSphere(space, 1);
+    const EventTimes times{};
+    for (std::uint64_t limit = 2000; limit < 2150; ++limit)
+    {
+        Recorded recorded(limit);
+        while (!recorded.recorder().is_over())
+        {
+            Recorder::Event outer = recorded.recorder().begin_collide(space),
+                            inner = recorded.recorder().begin_collide(space);
+            inner.end(&times);
+            outer.end(&times);
+        }
+        EXPECT_LE(recorded.end().bytes(), limit);
+    }
+    dSpaceDestroy(space);
+}
+
 TEST_F(RecorderTest, WithoutAnEndTheLastCollideIsThere)
 {
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
@@ -113,16 +134,38 @@ TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
         dSpaceCollide(twin, &expected, count);
         EXPECT_EQ(pairs, expected);
     }
+    const dGeomID probe = dCreateSphere(nullptr, 1);
+    int pairs = 0;
+    dSpaceCollide2(probe, reinterpret_cast<dGeomID>(space), &pairs, count);
     EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
     EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1);
-    int pairs = 0;
     dSpaceCollide(space, &pairs, count);
+    dGeomDestroy(probe);
     const Recording recording = Recording::read(file.path());
-    EXPECT_EQ(recording.events().size(), 30u) << "what came afterwards is not in it";
+    EXPECT_EQ(recording.events().size(), 31u) << "what came afterwards is not in it";
     EXPECT_TRUE(recording.has_end());
+    for (const EventSummary &event : recording.events())
+        EXPECT_TRUE(event.has_pairs);
     expect_pairs_agree(recording);
     dSpaceDestroy(space);
     dSpaceDestroy(twin);
+}
+
+TEST_F(RecorderTest, ASpaceRecordsItselfUpToTheLimitThatItIsTold)
+{
+    const ScratchFile file;
+    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
+    const dGeomID ball = dCreateSphere(space, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 3000), 1);
+    for (int i = 0; i < 100; ++i)
+    {
+        dGeomSetPosition(ball, dReal(i), 0, 0);
+        dSpaceCollide(space, nullptr, ignore);
+    }
+    dSpaceDestroy(space);
+    const Recording recording = Recording::read(file.path());
+    EXPECT_TRUE(recording.reached_limit());
+    EXPECT_LE(recording.bytes(), 3000u);
 }
 
 // Once, the next collide ended the program.
@@ -187,6 +230,14 @@ TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
               std::string::npos);
     EXPECT_EQ(result, 0);
     EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1) << "there was none";
+    dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
+    dSpaceCollide(space, space, [](void *self, dGeomID, dGeomID) {
+        EXPECT_NE(ode_complaint([&] {
+                      dPredictiveSpaceRecord(static_cast<dSpaceID>(self), "/dev/null", 0);
+                  }).find("locked space"),
+                  std::string::npos);
+    });
     dSpaceCollide(space, nullptr, ignore);
     ASSERT_EQ(dPredictiveSpaceRecord(space, "/dev/full", 0), 1);
     dSpaceCollide(space, nullptr, ignore);

@@ -107,10 +107,11 @@ public:
         return geom(id, dHashSpaceClass, links);
     }
 
-    Bytes &heights(std::uint32_t columns, std::uint32_t rows, dReal width = 2, double sample = 0, dReal lowest = -1)
+    Bytes &heights(std::uint32_t columns, std::uint32_t rows, dReal width = 2, double sample = 0, dReal lowest = -1,
+                   dReal highest = 1, dReal depth = 2)
     {
         begin(RecordKind::heights).number<std::uint32_t>(0).number<std::uint32_t>(columns).number<std::uint32_t>(rows);
-        number<std::uint8_t>(1).reals(1, width).reals(4).reals(1, lowest).reals(1, 1);
+        number<std::uint8_t>(1).reals(1, width).reals(1, depth).reals(3).reals(1, lowest).reals(1, highest);
         for (int i = 0; i < 4; ++i)
             number<double>(sample);
         return end();
@@ -268,10 +269,11 @@ TEST(Recording, TakesAFileOfTheFirstVersion)
 TEST(Recording, KnowsItsFirstSpace)
 {
     Bytes bytes;
-    bytes.geom(0, dHashSpaceClass).geom(1, dSimpleSpaceClass).geom(2, dSphereClass, 1);
+    bytes.body(0).body(1).geom(0, dHashSpaceClass).geom(1, dSimpleSpaceClass).geom(2, dSphereClass, 1);
     EXPECT_EQ(Recording(bytes.bytes()).first_space(), 0u) << "nothing is asked";
     bytes.event(RecordKind::collide2, {2, 1}).event(RecordKind::collide2, {2, 0});
     EXPECT_EQ(Recording(bytes.bytes()).first_space(), 1u) << "the first that is asked";
+    EXPECT_EQ(Recording(bytes.bytes()).state_of_first_space().geom_class, dSimpleSpaceClass);
     Bytes collided = bytes;
     collided.event(RecordKind::collide, {0}).event(RecordKind::collide, {1}).event(RecordKind::collide2, {2, 1});
     EXPECT_EQ(Recording(collided.bytes()).first_space(), 0u) << "the first that is collided";
@@ -355,7 +357,10 @@ TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
     refused("no width", [](Bytes &b) { b.heights(2, 2, 0); });
     refused("not finite", [](Bytes &b) { b.heights(2, 2, std::numeric_limits<dReal>::infinity()); });
     refused("sample is not finite", [](Bytes &b) { b.heights(2, 2, 2, std::numeric_limits<double>::quiet_NaN()); });
+    refused("no depth", [](Bytes &b) { b.heights(2, 2, 2, 0, -1, 1, 0); });
+    refused("not finite", [](Bytes &b) { b.heights(2, 2, 2, 0, -1, 1, std::numeric_limits<dReal>::infinity()); });
     refused("not a number", [](Bytes &b) { b.heights(2, 2, 2, 0, std::numeric_limits<dReal>::quiet_NaN()); });
+    refused("not a number", [](Bytes &b) { b.heights(2, 2, 2, 0, -1, std::numeric_limits<dReal>::quiet_NaN()); });
     refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 4); });
     refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 1, 2); });
     refused("kind of a predictive space is unknown", [](Bytes &b) { b.predictive_space(2, 0, 1); });
@@ -403,6 +408,13 @@ TEST(Recording, RefusesLinksThatOdeWouldStopAt)
     refused("impossible levels", [](Bytes &b) { b.hash_space(2, -2000, 2); });
     refused("impossible levels", [](Bytes &b) { b.hash_space(2, 0, 2000); });
     refused("moved to another space", [](Bytes &b) { b.change(1, dSphereClass, geom_field::parent, 0); });
+    refused("a body does not exist", [](Bytes &b) { b.change(1, dSphereClass, geom_field::body, 2); });
+    good.mesh(1, 2).geom(2, dTriMeshClass).geom(3, dCapsuleClass);
+    refused("do not exist", [](Bytes &b) { b.change(2, dTriMeshClass, geom_field::data, 1); });
+    refused("negative or not a number", [](Bytes &b) {
+        b.begin(RecordKind::geom).number<std::uint32_t>(3).number<std::uint8_t>(dCapsuleClass);
+        b.number<std::uint16_t>(geom_field::size).reals(1).reals(1, -1).end();
+    });
     refused("another class", [](Bytes &b) { b.change(1, dBoxClass, geom_field::body, 0); });
     refused("or has pairs", [](Bytes &b) { b.pairs(0); });
     refused("event of these pairs does not exist", [](Bytes &b) { b.pairs(2); });

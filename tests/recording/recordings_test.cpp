@@ -50,9 +50,13 @@ TEST(Comparison, NamesTheFirstEventThatDiffers)
     const Pairs simple = find_pairs(recording, SpaceKind::simple);
     Pairs wrong = simple;
     wrong.events[5].count += 1;
+    wrong.events[9].hash += 1;
     const Verdict verdict = compare(recording, SpaceKind::box, wrong, simple);
     EXPECT_FALSE(verdict.agrees);
-    EXPECT_NE(verdict.text.find("first in event 5"), std::string::npos) << verdict.text;
+    EXPECT_NE(verdict.text.find("in 2 events, first in event 5"), std::string::npos) << verdict.text;
+    const std::string sentence = compared_with_program(recording, wrong);
+    EXPECT_NE(sentence.find(" in 2 of "), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("first in event 5 ("), std::string::npos) << sentence;
     wrong = simple;
     wrong.lost_contacts = 1;
     EXPECT_FALSE(compare(recording, SpaceKind::shape, wrong, simple).agrees);

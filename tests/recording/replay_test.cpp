@@ -60,6 +60,28 @@ TEST_F(Replay, MeasuresNoMoreEventsThanItIsTold)
         EXPECT_EQ(cost.events.size(), std::min<std::size_t>(most, 5));
         for (const MeasuredEvent &event : cost.events)
             EXPECT_EQ(event.callbacks, 1u);
+        if (most == 0)
+            EXPECT_EQ(cost.processor_time, 0);
+        else
+            EXPECT_EQ(cost.events[0].notices, 0) << "the making of the geoms does not count";
+    }
+    EXPECT_EQ(measure(recording, SpaceKind::box, 5, -1).events.size(), 0u) << "its time is over";
+    Callbacks callbacks;
+    EXPECT_EQ(judge_callbacks(recording, 5, -1, callbacks), "");
+    EXPECT_EQ(callbacks.all, 0u);
+}
+
+TEST(Cost, IsTheLeastOfTwoReplays)
+{
+    Cost cost, again;
+    cost.events = {{1, 5, 0}, {4, 2, 0}, {3, 3, 0}};
+    again.events = {{2, 4, 0}, {3, 3, 0}};
+    take_least(again, cost);
+    const float collides[] = {1, 3, 3}, notices[] = {4, 2, 3};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        EXPECT_EQ(cost.events[i].collide, collides[i]) << i;
+        EXPECT_EQ(cost.events[i].notices, notices[i]) << i;
     }
 }
 
@@ -148,9 +170,14 @@ TEST_F(Replay, NamesThePairsThatDiffer)
 {
     ball_at(0, 0, 50);
     dCreatePlane(space_, 0, 0, 1, 0);
+    const Recording of_two = collided(2);
+    EXPECT_EQ(differing_pairs(of_two, SpaceKind::sap, SpaceKind::simple, 1), ": geoms 1 and 2 only in sap");
+    EXPECT_EQ(differing_pairs(of_two, SpaceKind::simple, SpaceKind::sap, 1), ": geoms 1 and 2 only in sap");
+    for (const int z : {60, 70, 80})
+        ball_at(0, 0, dReal(z));
     const Recording recording = collided(2);
-    EXPECT_EQ(differing_pairs(recording, SpaceKind::sap, SpaceKind::simple, 1), ": geoms 1 and 2 only in sap");
-    EXPECT_EQ(differing_pairs(recording, SpaceKind::simple, SpaceKind::sap, 1), ": geoms 1 and 2 only in sap");
+    EXPECT_EQ(differing_pairs(recording, SpaceKind::sap, SpaceKind::simple, 1),
+              ": geoms 1 and 2 only in sap, 2 and 3 only in sap, 2 and 4 only in sap, \xe2\x80\xa6");
     EXPECT_EQ(differing_pairs(recording, SpaceKind::box, SpaceKind::simple, 1), "");
 }
 
@@ -183,6 +210,7 @@ TEST_F(Replay, OnlyOdesOwnSpacesMayHaveMoreOfWhatHasNoBounds)
         const bool may = kind == SpaceKind::own || kind == SpaceKind::quadtree || kind == SpaceKind::sap;
         EXPECT_EQ(compare(recording, kind, more, simple).agrees, may) << name_of(kind);
         EXPECT_FALSE(compare(recording, kind, other, simple).agrees) << name_of(kind) << ": of what has bounds";
+        EXPECT_FALSE(compare(recording, kind, simple, more).agrees) << name_of(kind) << ": less of it";
         EXPECT_TRUE(compare(recording, kind, simple, simple).agrees) << name_of(kind);
     }
 }
