@@ -183,9 +183,11 @@ TEST(Origin, WhatHasNoEndDoesNotHoldIt)
 {
     Swarm swarm(Vector3(5e6, 0, 0));
     swarm.world.add(floor_below(-5));
-    swarm.displacements.push_back(Vector3::Zero());
+    const ProxyId still = swarm.world.add(block({5e6, 0, 4}, Vector3::Constant(0.1), Vector3::Zero(), false));
+    swarm.displacements.insert(swarm.displacements.end(), 2, Vector3::Zero());
     swarm.fly(60);
     EXPECT_NEAR(swarm.world.broadphase.origin().place().x(), 5e6, 10);
+    EXPECT_EQ(swarm.world.broadphase.proxies().records[still].role, Role::environment) << "only the origin has moved";
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -186,6 +186,22 @@ TEST(Predictor, AHandIsRecognisedAndPredictedFromItsPositions)
     EXPECT_LT((expected - seen).norm(), 0.1 * (seen - before).norm());
 }
 
+// Jitter bends the path through the last three positions.
+TEST(Predictor, AHandOfWhichTheProgramTellsIsPredictedFromAllOfItsLastPositions)
+{
+    Lone lone(alone({0, 0, 0}));
+    lone.world.broadphase.set_role(0, Role::fixed_interactive);
+    constexpr double jitter = 1e-5;
+    for (int tick = 1; tick <= 30; ++tick)
+    {
+        lone.object().centre = Vector3(0.001 * tick, tick % 2 ? jitter : -jitter, 0);
+        lone.tick();
+    }
+    const Forecast forecast = lone.forecast();
+    EXPECT_TRUE(forecast.known());
+    EXPECT_LT(std::abs(forecast.envelope.path.at(10).y()), 10 * jitter);
+}
+
 TEST(Predictor, AFixedDeviationIsThatOfTheRole)
 {
     PredictionSettings settings;
@@ -204,6 +220,11 @@ TEST(Predictor, AFixedDeviationIsThatOfTheRole)
         EXPECT_NEAR(lone.envelope().high[1], y + radius + expected, 1e-4);
         EXPECT_NEAR(lone.envelope().low[1], y - radius - expected, 1e-4);
         EXPECT_EQ(lone.forecast().envelope.deviation.a, expected);
+        PredictionSettings wide;
+        wide.deviation = {Deviation{2, 0, 0}, Deviation{2, 0, 0}};
+        lone.world.broadphase.set_settings(wide);
+        lone.world.broadphase.catch_up(lone.world);
+        EXPECT_NEAR(lone.envelope().high[1], y + radius + 2, 1e-4) << "new settings make new envelopes";
     }
 }
 

@@ -52,6 +52,10 @@ TEST_F(Resting, PairsThatDoNotMoveAreNotTested)
 {
     EXPECT_EQ(tested(), 0u);
     EXPECT_GE(world.broadphase.near_pairs(), std::size_t{count - 1});
+    const std::uint64_t woken = world.broadphase.woken_pairs();
+    world.place(0, {1e-5, 0, 0});
+    tick();
+    EXPECT_EQ(world.broadphase.woken_pairs(), woken + 2) << "that with its touching neighbour, and that with a gap";
 }
 
 // Many searches between two ticks drop stale pairs of the near set in between.

@@ -69,6 +69,12 @@ TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
     EXPECT_NEAR(time_of_contact(still, comes, 0, for_long).value(), 8, 1e-6) << "8 - 4, at 0.5";
     comes.about_centre = false;
     EXPECT_EQ(time_of_contact(still, comes, 0, for_long), 1) << "it may turn about any point";
+    ConvexShape wedge = hull_of({{-2, -2, 0}, {2, -2, 0}, {-2, 2, 0}});
+    wedge.centre = {7, 7, 0};
+    const PredictedShape tip_first{wedge, going(wedge, -0.5 * Vector3(1, 1, 0).normalized()), false, true};
+    const double until = 2 * (5 * std::sqrt(2.0) - 1);
+    EXPECT_NEAR(time_of_contact(still, tip_first, 0, for_long).value(), until, 1e-6) << "its tip is its farthest point";
+    EXPECT_NEAR(time_of_contact(tip_first, still, 0, for_long).value(), until, 1e-6);
 }
 
 // Two triangles, 10 apart, as one mesh: the room between them is within its hull. The floor's normal points up.
@@ -103,12 +109,32 @@ TEST(ContactForecast, WithinTheHullOfAMeshIsThatOfItsTriangles)
     EXPECT_GE(foretold, 20) << "a gap is only bounded";
     EXPECT_EQ(time_of_contact(falls, room, 0, for_long), foretold);
     EXPECT_FALSE(time_of_contact(room, falls, 0, 19));
+    const double gap = 0.1 * foretold, diagonal = std::sqrt(3.0);
     falls.envelope.deviation = {0.1, 0.05, 0};
-    EXPECT_LT(time_of_contact(room, falls, 0, for_long).value(), 20);
+    EXPECT_NEAR(time_of_contact(room, falls, 0, for_long).value(), (gap - 0.2 * diagonal) / (0.1 + 0.05 * diagonal),
+                1e-6);
+    falls.envelope.deviation = {0, 0, 0.01};
+    falls.envelope.path.acceleration = {0, 0, -0.02};
+    const double sooner = time_of_contact(room, falls, 0, for_long).value();
+    EXPECT_NEAR(0.1 * sooner + (0.01 + 0.01 * diagonal) * sooner * sooner, gap, 1e-6);
     EXPECT_EQ(time_of_contact({mesh, going(mesh, Vector3::Zero()), false, true}, falls, 0, for_long), 1)
         << "a room that moves";
     const ConvexShape touching = ball({0, -2, 0.5});
     EXPECT_EQ(time_of_contact(room, {touching, going(touching, Vector3::Zero()), false, true}, 0, for_long), 0);
+}
+
+TEST(ContactForecast, WithinTheHullOfAMeshWhatMayTurnReachesAsFarAsItsSphere)
+{
+    const Room of_two(Vector3::UnitZ());
+    ConvexShape stick = ball({0, -2, 5});
+    stick.half_sides = {1, 0, 0};
+    const PredictedShape room{of_two.mesh, going(of_two.mesh, Vector3::Zero()), true, true};
+    PredictedShape falls{stick, going(stick, {0, 0, -0.1}), false, true, false};
+    const double foretold = time_of_contact(room, falls, 0, for_long).value();
+    falls.turns = true;
+    EXPECT_NEAR(time_of_contact(room, falls, 0, for_long).value(), foretold - 10, 1e-6) << "2 - 1, at 0.1";
+    falls.about_centre = false;
+    EXPECT_EQ(time_of_contact(room, falls, 0, for_long), 1) << "it may turn about any point";
 }
 
 // A ball leaves its path along all three axes at once, as far as its deviation allows, and meets the floor after ten ticks.

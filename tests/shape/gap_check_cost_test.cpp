@@ -4,6 +4,7 @@
 
 #include <ode_predictive_space/predictive_space.h>
 
+#include "ode_predictive_space/broadphase/tuning.h"
 #include "tests/contract/support/scenario.h"
 #include "tests/shape/polyhedron_geom.h"
 
@@ -124,6 +125,61 @@ TEST_F(GapCheckCost, BesideAMeshThatTurnsLooksAreGivenUp)
     turn_to_and_fro(mesh, ticks);
     EXPECT_GT(gap_checks(), 0u);
     EXPECT_LT(gap_checks(), ticks / 10u);
+}
+
+// A geom that gets another role gets another envelope, and its pairs are new ones.
+TEST_F(GapCheckCost, BesideAMeshLooksAreGivenUpAlsoWherePairsComeAndGo)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    const dGeomID mesh = create_mesh(cube), ball = create_ball();
+    constexpr int ticks = 1000;
+    for (int tick = 0; tick < ticks; ++tick)
+    {
+        dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleEnvironment);
+        turn_to_and_fro(mesh, 1);
+    }
+    EXPECT_LT(gap_checks(), ticks / 10u);
+}
+
+TEST_F(GapCheckCost, LooksThatSpareReportsGoOn)
+{
+    const MeshArrays cube(Polyhedron::cube());
+    create_mesh(cube);
+    const dGeomID ball = create_ball();
+    std::size_t reported = 0;
+    for (int tick = 0; tick < 3000; ++tick)
+    {
+        dGeomSetPosition(ball, REAL(1.8), REAL(1.8), tick % 2 ? REAL(0.004) : REAL(-0.004));
+        reported += collide(space).size();
+    }
+    EXPECT_EQ(reported, 0u);
+    EXPECT_GT(gap_checks(), 50u) << "the gap may have closed after some ticks";
+}
+
+// The ball is beside the edge of a long box; the centres are so far apart that the inscribed balls do not touch.
+TEST_F(GapCheckCost, OfPairsThatTouchAreFewAndSoonTellThatTheyHaveParted)
+{
+    for (int role : {dPredictiveRoleEnvironment, dPredictiveRoleInteractive})
+        dPredictiveSpaceSetDeviation(space, role, 1, 0, 0); // the pair stays the same
+    dCreateBox(space, 1, 1, 10);
+    const dGeomID ball = dCreateSphere(space, REAL(0.5));
+    dPredictiveSpaceSetGeomRole(space, ball, dPredictiveRoleInteractive);
+    const auto reported_at = [&](dReal place, int ticks) {
+        std::size_t reported = 0;
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            dGeomSetPosition(ball, place, place, tick % 2 ? REAL(1e-4) : REAL(-1e-4));
+            reported += collide(space).size();
+        }
+        return reported;
+    };
+    constexpr dReal touching = REAL(0.83), apart = REAL(0.9);
+    EXPECT_EQ(reported_at(touching, 300), 300u);
+    EXPECT_GT(gap_checks(), 0u);
+    EXPECT_LT(gap_checks(), 30u);
+    EXPECT_LE(reported_at(apart, 50), tuning::reports_per_rest);
+    EXPECT_EQ(reported_at(touching, 1), 1u);
+    EXPECT_LE(reported_at(apart, 50), 2u) << "a pair that was apart is looked at again at once";
 }
 
 TEST_F(GapCheckCost, OfAMeshAreNotChargedToItsSuccessor)

@@ -192,6 +192,11 @@ TEST_F(ShapeProximity, OfAPairAtRestFollowsTheMargin)
     ball(apart, apart);
     let_rest();
     EXPECT_EQ(pairs(), 0u);
+    dPredictiveSpaceStats stats;
+    dPredictiveSpaceGetStats(space, &stats);
+    EXPECT_EQ(stats.near_pairs, 1u);
+    EXPECT_EQ(stats.scheduled, 1u);
+    EXPECT_EQ(counters().postponed, 0u) << "it rests";
     dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
     EXPECT_EQ(pairs(), 1u);
     let_rest();

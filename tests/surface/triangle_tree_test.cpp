@@ -141,6 +141,24 @@ TEST_F(TriangleTrees, FindAllThatAreNearWhereTrianglesCrowd)
     });
 }
 
+// At each middle, hardly more than a sixteenth of the triangles goes to one side. A walk has room for a depth of 95.
+TEST_F(TriangleTrees, AreNotTooDeepForAWalkWhereTrianglesCrowd)
+{
+    Mesh mesh;
+    double x = 1;
+    for (int left = 10000; left > 0; x *= 0.45)
+        for (int i = left / 16; i >= 0; --i, --left)
+            mesh.add({Vector3(x, 0, 0), Vector3(x, x / 2, 0), Vector3(x, 0, x / 2)});
+    TriangleTree tree(mesh.arrays());
+    tree.build(all_at_once);
+    ASSERT_TRUE(tree.is_ready());
+    std::vector<int> depths(tree.nodes().size());
+    for (std::size_t i = 0; i < depths.size(); ++i)
+        if (const TriangleTree::Node &node = tree.nodes()[i]; !node.is_leaf())
+            depths[node.first] = depths[node.first + 1] = depths[i] + 1;
+    EXPECT_LT(*std::max_element(depths.begin(), depths.end()), 95);
+}
+
 // Triangles that are left out are not even read.
 TEST_F(TriangleTrees, FindAllThatAreNearAmongThoseThatTheyHold)
 {
