@@ -106,7 +106,9 @@ TEST_F(FewGeoms, ArePredictedWhenTheSpaceIsValidated)
 TEST_F(FewGeoms, AreNotPredictedByShapeUntilAContactIsDearToFind)
 {
     fill();
+    dPredictiveSpacePrepare(space);
     dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    dPredictiveSpacePrepare(space);
     EXPECT_FALSE(predicts());
     const dGeomID probe = number_geom(dCreateSphere(nullptr, 0.1), -2);
     dGeomSetPosition(probe, dGeomGetPosition(geoms[3])[0], 0, 0);

@@ -99,6 +99,7 @@ TEST_F(Contract, 17_OnlyPredictiveSpacesArePredictive)
                          dQuadTreeSpaceCreate(nullptr, centre, extents, 2),
                          dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)};
     EXPECT_EQ(dSpaceIsPredictive(predictive), 1);
+    EXPECT_EQ(dSpaceIsPredictive(nullptr), 0);
     for (dSpaceID other : others)
     {
         EXPECT_EQ(dSpaceIsPredictive(other), 0);
@@ -165,6 +166,15 @@ TEST_F(Contract, 18_NothingMovesNothingIsDone)
     EXPECT_EQ(after.violations, before.violations);
     EXPECT_EQ(after.reported, before.reported + 100 * 8);
     EXPECT_EQ(scene.log().back().size(), 8u);
+    EXPECT_EQ(after.near_pairs, 8u);
+    EXPECT_EQ(after.scheduled, 8u);
+    dGeomSetPosition(dSpaceGetGeom(scene.space(), 4), 4, 1e-4, 0);
+    scene.tick();
+    dPredictiveSpaceStats moved;
+    dPredictiveSpaceGetStats(scene.space(), &moved);
+    EXPECT_EQ(moved.near_pairs, 8u);
+    EXPECT_EQ(moved.scheduled, 6u);
+    EXPECT_EQ(moved.woken, after.woken + 2);
 }
 } // namespace
 } // namespace ode_predictive_space

@@ -126,6 +126,53 @@ TEST_F(HullData, ChangedWhileNoGeomHasThemIsReadAnew)
     EXPECT_EQ(pairs(), 1u);
 }
 
+// The box test needs no call when data are changed.
+TEST_F(HullData, ChangedDuringTheBoxTestIsReadAnew)
+{
+    MeshArrays arrays(octahedron);
+    create_mesh(arrays);
+    EXPECT_EQ(pairs(), 0u);
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+    arrays.move_corners({0.4, 0.4, 0});
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    EXPECT_EQ(pairs(), 1u);
+}
+
+TEST_F(HullData, ChangedInPlaceWithoutACallIsFoundByValidation)
+{
+    MeshArrays arrays(octahedron);
+    create_mesh(arrays);
+    for (const bool at_rest : {false, true})
+    {
+        EXPECT_EQ(at_rest ? pairs_at_rest() : pairs(), 0u);
+        arrays.move_corners({0.4, 0.4, 0});
+        const std::string said = ode_complaint([&] { EXPECT_EQ(dPredictiveSpaceValidate(space), 0); });
+        EXPECT_NE(said.find("with a contact"), std::string::npos) << at_rest << said;
+        arrays.move_corners({-0.4, -0.4, 0});
+    }
+}
+
+// The arrays stay the same.
+TEST_F(HullData, IsThatOfTheTrianglesWithWhichTheDataWereBuiltLast)
+{
+    const double corners[][3] = {{1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {0.8, 0.8, -1}, {0.8, 0.8, 1}, {1, 1, 1}};
+    const dTriIndex triangles[] = {0, 1, 2, 3, 4, 5, 0, 1, 2}; // the ball touches the second one
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    const auto build = [&](int count, int stride) {
+        dGeomTriMeshDataBuildDouble(data, corners, sizeof corners[0], 6, triangles, 3 * count,
+                                    stride * static_cast<int>(sizeof(dTriIndex)));
+    };
+    build(1, 3);
+    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    build(2, 3);
+    EXPECT_EQ(pairs_at_rest(), 1u);
+    build(2, 6);
+    EXPECT_EQ(pairs_at_rest(), 0u);
+    dGeomDestroy(mesh);
+    dGeomTriMeshDataDestroy(data);
+}
+
 // A query needed the hull of the old data; their geom has got other data since.
 TEST_F(HullData, ChangedWhileUnusedIsReadAgainAlsoAfterAQuestion)
 {
@@ -147,9 +194,10 @@ TEST_F(HullData, ChangedWhileUnusedIsReadAgainAlsoAfterAQuestion)
 TEST_F(HullData, ChangedInPlaceIsReadAnewForEveryGeomThatHasThem)
 {
     MeshArrays arrays(octahedron);
-    create_mesh(arrays);
     const dGeomID far = create_mesh(arrays);
     dGeomSetPosition(far, 50, 0, 0);
+    create_mesh(arrays);
+    dPredictiveSpacePrepare(space);
     EXPECT_EQ(pairs_at_rest(), 0u);
     arrays.move_corners({0.4, 0.4, 0});
     dPredictiveSpaceGeomChanged(space, far);
@@ -337,10 +385,8 @@ protected:
     HullOfHeights()
     {
         dGeomSetPosition(ball, 0, REAL(0.9), 0);
-        samples_.fill(1);
-        samples_.front() = 4;
-        build(low, -1);
-        build(high, REAL(-0.2));
+        build(low, 0);
+        build(high, REAL(0.8));
     }
     ~HullOfHeights() override
     {
@@ -348,9 +394,9 @@ protected:
             dGeomHeightfieldDataDestroy(data);
     }
 
-    void build(dHeightfieldDataID data, dReal offset, dReal scale = 1) const
+    void build(dHeightfieldDataID data, dReal offset, dReal scale = 1, dReal depth = 8) const
     {
-        dGeomHeightfieldDataBuildDouble(data, samples_.data(), 0, 8, 8, 5, 5, scale, offset, 1, 0);
+        dGeomHeightfieldDataBuildDouble(data, samples.data(), 0, 8, depth, 5, 5, scale, offset, 1, 0);
     }
 
     dGeomID create_field(dHeightfieldDataID data)
@@ -367,35 +413,53 @@ protected:
     }
 
     const dHeightfieldDataID low = dGeomHeightfieldDataCreate(), high = dGeomHeightfieldDataCreate();
-
-private:
-    std::array<double, 25> samples_;
+    std::array<double, 25> samples = {3};
 };
 
-TEST_F(HullOfHeights, IsThatOfEachOffsetAndScaleWhereFieldsHaveTheirSamplesInCommon)
+TEST_F(HullOfHeights, IsThatOfEachOffsetWhereFieldsHaveTheirSamplesInCommon)
 {
-    for (const bool by_scale : {false, true})
-    {
-        if (by_scale)
-            build(high, -1, REAL(1.8));
-        const dGeomID below = create_field(low);
-        EXPECT_EQ(collide(space).size(), 0u);
-        EXPECT_FALSE(has_contact(below));
-        const dGeomID above = create_field(high);
-        EXPECT_TRUE(has_contact(above));
-        EXPECT_EQ(collide(space).size(), 2u) << "the ball on the higher field, and the fields";
-        dGeomDestroy(below);
-        EXPECT_EQ(collide(space).size(), 1u);
-        dGeomDestroy(above);
-    }
+    const dGeomID below = create_field(low);
+    EXPECT_EQ(collide(space).size(), 0u);
+    EXPECT_FALSE(has_contact(below));
+    const dGeomID above = create_field(high);
+    EXPECT_TRUE(has_contact(above));
+    EXPECT_EQ(collide(space).size(), 2u) << "the ball on the higher field, and the fields";
+    dGeomDestroy(below);
+    EXPECT_EQ(collide(space).size(), 1u);
 }
 
 TEST_F(HullOfHeights, IsThatOfTheOffsetWithWhichTheDataWereBuiltLast)
 {
     const dGeomID field = create_field(low);
     EXPECT_EQ(collide(space).size(), 0u);
-    build(low, REAL(-0.2));
+    build(low, REAL(0.8));
     EXPECT_TRUE(has_contact(field));
+    EXPECT_EQ(collide(space).size(), 1u);
+}
+
+TEST_F(HullOfHeights, IsThatOfTheScaleAndTheDepthWithWhichTheDataWereBuiltLast)
+{
+    for (const bool steeper : {true, false})
+    {
+        dGeomSetPosition(ball, REAL(-3.3), steeper ? REAL(3.2) : REAL(1.2), REAL(-3.3)); // beside the peak
+        build(low, 0, 1, steeper ? 8 : 16);
+        const dGeomID field = create_field(low);
+        EXPECT_EQ(collide(space).size(), 0u) << steeper;
+        build(low, 0, steeper ? 3 : 1, 8);
+        EXPECT_EQ(collide(space).size(), 1u) << steeper;
+        dGeomDestroy(field);
+    }
+}
+
+TEST_F(HullOfHeights, ChangedInPlaceIsReadAnewForOtherDataWithTheSameSamples)
+{
+    build(high, REAL(0.1));
+    create_field(high);
+    const dGeomID far = create_field(low);
+    dGeomSetPosition(far, 50, 0, 0);
+    EXPECT_EQ(collide(space).size(), 0u);
+    samples.fill(0.6);
+    dPredictiveSpaceGeomChanged(space, far);
     EXPECT_EQ(collide(space).size(), 1u);
 }
 

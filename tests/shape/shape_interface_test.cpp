@@ -204,6 +204,25 @@ TEST_F(ShapeProximity, OfAPairAtRestFollowsTheMargin)
     EXPECT_EQ(pairs(), 0u);
 }
 
+// A question brings the space up to date before the tick.
+TEST_F(ShapeProximity, OfAPairAtRestFollowsTheSettingsAlsoAfterAQuestion)
+{
+    const dGeomID one = ball(0, 0);
+    ball(apart, apart);
+    const auto pairs_after_a_question = [&] {
+        dPredictiveSpaceGetEncounters(space, one, nullptr, 0);
+        return pairs();
+    };
+    let_rest();
+    dPredictiveSpaceSetShapeMargin(space, REAL(0.3));
+    EXPECT_EQ(pairs_after_a_question(), 1u);
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityBox);
+    dPredictiveSpaceSetShapeMargin(space, 0);
+    let_rest();
+    dPredictiveSpaceSetProximity(space, dPredictiveProximityShape);
+    EXPECT_EQ(pairs_after_a_question(), 0u);
+}
+
 TEST_F(ShapeProximity, QuestionsAreAboutContact)
 {
     const dGeomID one = ball(0, 0), other = ball(apart, apart);
@@ -262,6 +281,23 @@ TEST_F(ShapeProximity, IsValidWhenAGeomHasGrownSinceTheLastReport)
         EXPECT_EQ(dPredictiveSpaceValidate(space), 1) << at_rest;
         EXPECT_EQ(pairs(), 1u) << at_rest;
     }
+}
+
+TEST_F(ShapeProximity, NoticesThatOneOfTwoSizesGrows)
+{
+    ball(0, 0);
+    for (const bool is_capsule : {true, false})
+        for (const bool longer : {true, false})
+        {
+            const dGeomID rod = (is_capsule ? dCreateCapsule : dCreateCylinder)(space, REAL(0.2), 1);
+            const dReal beside = longer ? REAL(0.8) : REAL(0.9);
+            dGeomSetPosition(rod, beside, beside, longer ? 1 : 0);
+            EXPECT_EQ(pairs(), 0u) << is_capsule << longer;
+            (is_capsule ? dGeomCapsuleSetParams : dGeomCylinderSetParams)(rod, longer ? REAL(0.2) : REAL(0.3),
+                                                                          longer ? 2 : 1);
+            EXPECT_EQ(pairs(), 1u) << is_capsule << longer;
+            dGeomDestroy(rod);
+        }
 }
 
 TEST_F(ShapeProximity, NoticesThatAPlaneTurnsFarAway)

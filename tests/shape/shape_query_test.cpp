@@ -82,6 +82,9 @@ TEST_F(ShapeQuery, IsToldOfARoomWhereItsWallsAre)
         EXPECT_EQ(answers_at(probe, 0, 0, 0), 0u) << "in the middle";
         EXPECT_EQ(answers_at(probe, 0, REAL(4.5), 0), 1u) << "at a wall";
         EXPECT_EQ(answers_at(probe, 0, 2, 0), 0u);
+        dPredictiveSpaceSetShapeMargin(space, 3);
+        EXPECT_EQ(answers(probe), 1u) << "within the margin";
+        dPredictiveSpaceSetShapeMargin(space, 0);
     }
 }
 
@@ -229,21 +232,25 @@ TEST_F(ShapeQuery, NoticesHeightsThatWereChangedInPlace)
 TEST_F(ShapeQuery, NoticesOtherDataOfAnyMesh)
 {
     const Polyhedron small = Polyhedron::cube().changed(Eigen::Vector3d::Constant(0.1), {0, 0, 0});
-    const dGeomID changed = mesh(space, small), moved = mesh(space, small);
-    dGeomSetPosition(moved, 50, 0, 0);
-    for (int i = 0; i < 20; ++i)
-        dGeomSetPosition(dCreateSphere(space, 0.1), 10 + i, 0, 0);
-    collide(space);
-    dGeomSetPosition(moved, 51, 0, 0);
-    const Probe ball(dCreateSphere(nullptr, 0.2)), ray(dCreateRay(nullptr, 2));
-    dGeomRaySet(ray, 1, 2, 1, 0, -1, 0);
-    EXPECT_EQ(answers_at(ball, 1, 1, 1), 0u);
-    EXPECT_EQ(answers(ray), 0u);
-    MeshArrays large(Polyhedron::cube());
-    dGeomTriMeshSetData(changed, large.id());
-    EXPECT_EQ(answers(ray), 1u);
-    EXPECT_EQ(answers_at(ball, 1, 1, 1), 1u);
-    dGeomDestroy(changed);
+    for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape})
+    {
+        dPredictiveSpaceSetProximity(space, proximity);
+        const dGeomID changed = mesh(space, small), moved = mesh(space, small);
+        dGeomSetPosition(moved, 50, 0, 0);
+        for (int i = 0; i < 20; ++i)
+            dGeomSetPosition(dCreateSphere(space, 0.1), 10 + i, 0, 0);
+        collide(space);
+        dGeomSetPosition(moved, 51, 0, 0);
+        const Probe ball(dCreateSphere(nullptr, 0.2)), ray(dCreateRay(nullptr, 2));
+        dGeomRaySet(ray, 1, 2, 1, 0, -1, 0);
+        EXPECT_EQ(answers_at(ball, 1, 1, 1), 0u);
+        EXPECT_EQ(answers(ray), 0u);
+        MeshArrays large(Polyhedron::cube());
+        dGeomTriMeshSetData(changed, large.id());
+        EXPECT_EQ(answers(ray), 1u);
+        EXPECT_EQ(answers_at(ball, 1, 1, 1), 1u);
+        dGeomDestroy(changed);
+    }
 }
 
 // While the room is being read, it is reported.

@@ -110,6 +110,18 @@ TEST_F(SurfaceBuilding, IsDoneBeforeTheFirstTickWhenTheSpaceIsPrepared)
     EXPECT_EQ(ticks_by_box(ball_above()), 0);
 }
 
+// ODE sends no notice of other data, and the first tick must not take them for new ones.
+TEST_F(SurfaceBuilding, OfDataThatWereSetBeforeThePreparationIsKept)
+{
+    hand();
+    const MeshArrays before(Polyhedron::cube());
+    const dGeomID geom = dCreateTriMesh(space, before.id(), nullptr, nullptr, nullptr);
+    collide(space);
+    dGeomTriMeshSetData(geom, mesh.id());
+    dPredictiveSpacePrepare(space);
+    EXPECT_EQ(ticks_by_box(ball_above()), 0);
+}
+
 TEST_F(SurfaceBuilding, LastsWhileNothingIsNear)
 {
     hand();

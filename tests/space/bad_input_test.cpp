@@ -87,23 +87,25 @@ TEST_F(BadInput, SpacesThatAreNullOrNotPredictive)
         dPredictiveSpaceCounters counters;
         const std::pair<const char *, std::function<void()>> calls[] = {
             {"dPredictiveSpaceSetProximity", [=] { dPredictiveSpaceSetProximity(bad, 0); }},
-            {"dPredictiveSpaceGetProximity", [=] { dPredictiveSpaceGetProximity(bad); }},
+            {"dPredictiveSpaceGetProximity",
+             [=] { EXPECT_EQ(dPredictiveSpaceGetProximity(bad), dPredictiveProximityBox); }},
             {"dPredictiveSpaceSetGeomRole", [=] { dPredictiveSpaceSetGeomRole(bad, geom, 0); }},
-            {"dPredictiveSpaceGetGeomRole", [=] { dPredictiveSpaceGetGeomRole(bad, geom); }},
+            {"dPredictiveSpaceGetGeomRole", [=] { EXPECT_EQ(dPredictiveSpaceGetGeomRole(bad, geom), 0); }},
             {"dPredictiveSpaceSetDeviation", [=] { dPredictiveSpaceSetDeviation(bad, 0, 1, 1, 1); }},
-            {"dPredictiveSpaceGetDeviation", [=] { dPredictiveSpaceGetDeviation(bad, 0, 0, 0, 0); }},
+            {"dPredictiveSpaceGetDeviation", [=] { EXPECT_EQ(dPredictiveSpaceGetDeviation(bad, 0, 0, 0, 0), 0); }},
             {"dPredictiveSpacePrepare", [=] { dPredictiveSpacePrepare(bad); }},
             {"dPredictiveSpaceGeomChanged", [=] { dPredictiveSpaceGeomChanged(bad, geom); }},
             {"dPredictiveSpaceSetShapeMargin", [=] { dPredictiveSpaceSetShapeMargin(bad, 1); }},
-            {"dPredictiveSpaceGetShapeMargin", [=] { dPredictiveSpaceGetShapeMargin(bad); }},
+            {"dPredictiveSpaceGetShapeMargin", [=] { EXPECT_EQ(dPredictiveSpaceGetShapeMargin(bad), 0); }},
             {"dPredictiveSpaceSetHorizon", [=] { dPredictiveSpaceSetHorizon(bad, 1, 2); }},
             {"dPredictiveSpaceGetHorizon", [=] { dPredictiveSpaceGetHorizon(bad, 0, 0); }},
             {"dPredictiveSpaceGetTimeOfProximity",
-             [&, bad] { dPredictiveSpaceGetTimeOfProximity(bad, geom, other, &ticks); }},
-            {"dPredictiveSpaceGetEncounters", [&, bad] { dPredictiveSpaceGetEncounters(bad, geom, &encounter, 1); }},
+             [&, bad] { EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(bad, geom, other, &ticks), 0); }},
+            {"dPredictiveSpaceGetEncounters",
+             [&, bad] { EXPECT_EQ(dPredictiveSpaceGetEncounters(bad, geom, &encounter, 1), 0); }},
             {"dPredictiveSpaceGetStats", [&, bad] { dPredictiveSpaceGetStats(bad, &stats); }},
             {"dPredictiveSpaceGetCounters", [&, bad] { dPredictiveSpaceGetCounters(bad, &counters, sizeof counters); }},
-            {"dPredictiveSpaceValidate", [=] { dPredictiveSpaceValidate(bad); }},
+            {"dPredictiveSpaceValidate", [=] { EXPECT_EQ(dPredictiveSpaceValidate(bad), 0); }},
         };
         for (const auto &call : calls)
             expect_refused(call.first, "space", call.second);
@@ -128,12 +130,13 @@ TEST_F(BadInput, GeomsThatAreNullOrElsewhere)
     for (dGeomID bad : {dGeomID(nullptr), foreign_geom, inner, homeless, as_geom(space)})
     {
         expect_refused("dPredictiveSpaceSetGeomRole", "geom", [=] { dPredictiveSpaceSetGeomRole(space, bad, 1); });
-        expect_refused("dPredictiveSpaceGetGeomRole", "geom", [=] { dPredictiveSpaceGetGeomRole(space, bad); });
+        expect_refused("dPredictiveSpaceGetGeomRole", "geom",
+                       [=] { EXPECT_EQ(dPredictiveSpaceGetGeomRole(space, bad), 0); });
         expect_refused("dPredictiveSpaceGeomChanged", "geom", [=] { dPredictiveSpaceGeomChanged(space, bad); });
         expect_refused("dPredictiveSpaceGetTimeOfProximity", "first",
-                       [&, bad] { dPredictiveSpaceGetTimeOfProximity(space, bad, geom, &ticks); });
+                       [&, bad] { EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, bad, geom, &ticks), 0); });
         expect_refused("dPredictiveSpaceGetTimeOfProximity", "second",
-                       [&, bad] { dPredictiveSpaceGetTimeOfProximity(space, geom, bad, &ticks); });
+                       [&, bad] { EXPECT_EQ(dPredictiveSpaceGetTimeOfProximity(space, geom, bad, &ticks), 0); });
         expect_refused("dPredictiveSpaceGetEncounters", "geom",
                        [&, bad] { dPredictiveSpaceGetEncounters(space, bad, &encounter, 1); });
     }
@@ -180,6 +183,10 @@ TEST_F(BadInput, Horizons)
     expect_refused("dPredictiveSpaceSetHorizon", "max_ticks", [=] { dPredictiveSpaceSetHorizon(space, 5, 4); });
     expect_refused("dPredictiveSpaceSetHorizon", "max_ticks", [=] { dPredictiveSpaceSetHorizon(space, 5, -4); });
     expect_refused("dPredictiveSpaceSetHorizon", "max_ticks", [=] { dPredictiveSpaceSetHorizon(space, 5, 1000001); });
+    dPredictiveSpaceSetHorizon(space, 1, 1000000);
+    int most = 0;
+    dPredictiveSpaceGetHorizon(space, nullptr, &most);
+    EXPECT_EQ(most, 1000000);
 }
 
 TEST_F(BadInput, RoomForResults)

@@ -55,12 +55,16 @@ void expect_names(const std::string &complaint, std::initializer_list<dGeomID> n
 
 TEST_F(Validate, NamesTheGeomThatIsOutsideItsEnvelope)
 {
-    apart->aabb[1] += 1;
-    const std::string said = complaint();
-    EXPECT_NE(said.find("outside its envelope"), std::string::npos) << said;
-    expect_names(said, {apart}, first);
-    apart->aabb[1] -= 1;
-    EXPECT_EQ(complaint(), "");
+    for (int side = 0; side < 6; ++side)
+    {
+        const dReal out = side % 2 ? 1 : -1;
+        apart->aabb[side] += out;
+        const std::string said = complaint();
+        EXPECT_NE(said.find("outside its envelope"), std::string::npos) << said;
+        expect_names(said, {apart}, first);
+        apart->aabb[side] -= out;
+        EXPECT_EQ(complaint(), "");
+    }
 }
 
 TEST_F(Validate, NamesBothGeomsOfAPairThatIsWrong)

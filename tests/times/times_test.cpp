@@ -308,6 +308,17 @@ TEST_F(Times, OfShapesLastUntilTheMargin)
     }
 }
 
+TEST_F(Times, BySphereLastUntilTheSpheresMeet)
+{
+    dPredictiveSpaceSetProximity(space, dPredictiveProximitySphere);
+    fill(20);
+    const dGeomID one = scene.sphere(2, 0, 0, 0), other = scene.sphere(2, 9, 9, 9);
+    expect_honest(answers_until_they_meet(one, other, 10, [&](int tick) {
+        const dReal place = 9 - REAL(0.02) * static_cast<dReal>(tick);
+        dGeomSetPosition(other, place, place, place);
+    }));
+}
+
 // Their callbacks do not wait for the spheres.
 TEST_F(Times, BySphereOfPairsThatOnlyBoxesCanJudgeAreThoseOfTheirBoxes)
 {
