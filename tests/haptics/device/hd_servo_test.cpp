@@ -261,15 +261,22 @@ TEST_F(HdServoTest, FailsForGoodAfterAnyOtherError)
     }
 }
 
-TEST_F(HdServoTest, TellsTheGraverOfTwoErrors)
+TEST_F(HdServoTest, TellsTheGraverOfTwoErrorsAndTheOlderOfTwoThatAreAlike)
 {
-    open();
-    fake.fail("hdBeginFrame", 0x300, 1, 1);
-    fake.fail("hdEndFrame", 0x200, 2, 1);
-    fake.step(1);
-    const std::optional<DeviceError> error = error_of_read(0.001);
-    ASSERT_TRUE(error.has_value());
-    EXPECT_EQ(error->fault(), DeviceFault::lost);
+    constexpr std::uint32_t pairs[][2] = {{0x300, 0x200}, {0x200, 0x300}, {0x300, 0x302}};
+    for (const auto &codes : pairs)
+    {
+        open();
+        fake.fail("hdGetIntegerv", codes[0], 1, 1);
+        fake.fail("hdEndFrame", codes[1], 2, 1);
+        fake.step(1);
+        const std::optional<DeviceError> error = error_of_read(0.001);
+        ASSERT_TRUE(error.has_value());
+        EXPECT_EQ(error->fault(), DeviceFault::lost);
+        EXPECT_PRED_FORMAT2(IsSubstring, "HD_DEVICE_FAULT", error->what());
+        fake.resume();
+        device.close();
+    }
 }
 
 TEST_F(HdServoTest, IsLostWhenTheServoThreadStandsStill)

@@ -93,6 +93,7 @@ TEST(SoftwareDevice, TimeDoesNotGoBack)
 {
     ClockDevice device;
     device.open();
+    EXPECT_THROW(device.read(std::nan("")), std::invalid_argument);
     device.read(1);
     device.read(3);
     EXPECT_EQ(device.read(2).position.x(), 2) << "as at 3 s";

@@ -102,10 +102,12 @@ TEST_F(Spacenav, StopsAtTheWallsOfItsWorkspace)
 {
     device.open();
     device.read(0);
-    server.send_motion(full, -full / 10, 0, 0, 0, 0);
+    server.send_motion(full, -full / 10, full, 0, 0, 0);
     const DeviceState state = read_until(device, 0.001, 2);
     EXPECT_EQ(state.position.x(), 0.05);
     EXPECT_EQ(state.linear_velocity.x(), 0);
+    EXPECT_EQ(state.position.z(), -0.05);
+    EXPECT_EQ(state.linear_velocity.z(), 0);
     EXPECT_LT(state.linear_velocity.y(), 0) << "along the wall it goes on";
 
     server.send_motion(-full, 0, 0, 0, 0, 0);
@@ -144,7 +146,7 @@ TEST_F(Spacenav, TellsItsButtons)
     server.send_button(3, true);
     EXPECT_EQ(device.read(0).buttons, 9u);
     server.send_button(0, false);
-    server.send_button(40, true);
+    server.send_button(32, true);
     EXPECT_EQ(device.read(0.001).buttons, 8u);
 }
 
@@ -152,6 +154,7 @@ TEST_F(Spacenav, OverlooksWhatItDoesNotUnderstand)
 {
     device.open();
     server.send_nonsense();
+    server.send_plugged_in();
     server.send_button(1, true);
     EXPECT_EQ(device.read(0).buttons, 2u);
 }

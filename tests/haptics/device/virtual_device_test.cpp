@@ -99,16 +99,20 @@ TEST(VirtualDevice, OscillatesExactlyHoweverOftenItIsRead)
 
 TEST(VirtualDevice, IsDrawnByATargetThatMovesAsTheEquationsSay)
 {
-    VirtualDeviceSettings settings = free_mass();
-    settings.hand = {0.1, 0, 250, 0};
-    VirtualDevice device(settings, [](double seconds) { return Vector3(0.3 * seconds, 0, 0); });
-    device.open();
-    const double turn_rate = std::sqrt(250 / 0.1);
-    for (int i = 0; i < 500; ++i)
+    for (const double grip_damping : {0.0, 2.0})
     {
-        const double time = i * dt;
-        const double truth = 0.3 * (time - std::sin(turn_rate * time) / turn_rate);
-        ASSERT_NEAR(device.read(time).position.x(), truth, 1e-12) << "at " << time << " s";
+        VirtualDeviceSettings settings = free_mass();
+        settings.hand = {0.1, 0, 250, grip_damping};
+        VirtualDevice device(settings, [](double seconds) { return Vector3(0.3 * seconds, 0, 0); });
+        device.open();
+        const double decay = grip_damping / (2 * 0.1);
+        const double turn_rate = std::sqrt(250 / 0.1 - decay * decay);
+        for (int i = 0; i < 500; ++i)
+        {
+            const double time = i * dt;
+            const double truth = 0.3 * (time - std::exp(-decay * time) * std::sin(turn_rate * time) / turn_rate);
+            ASSERT_NEAR(device.read(time).position.x(), truth, 1e-11) << "at " << time << " s";
+        }
     }
 }
 
@@ -184,6 +188,15 @@ TEST(VirtualDevice, ForcesComeLateByTheirDelay)
     EXPECT_EQ(device.rendered_force().x(), 0);
 }
 
+TEST(VirtualDevice, TellsTheLongerDelayOfItsTicksAndItsCapabilities)
+{
+    VirtualDeviceSettings settings = delayed();
+    settings.capabilities.delay = 0.004;
+    EXPECT_EQ(VirtualDevice(settings, origin).capabilities().delay, 0.004);
+    settings.force_delay = 7;
+    EXPECT_EQ(VirtualDevice(settings, origin).capabilities().delay, 0.008);
+}
+
 TEST(VirtualDevice, MotorsRenderNoMoreThanTheyCan)
 {
     VirtualDevice device({}, origin);
@@ -239,9 +252,11 @@ TEST(VirtualDevice, RefusesSettingsThatCannotBeMeant)
     refused([](VirtualDeviceSettings &s) { s.hand.mass = 0; });
     refused([](VirtualDeviceSettings &s) { s.hand.damping = -1; });
     refused([](VirtualDeviceSettings &s) { s.hand.grip_stiffness = std::nan(""); });
+    refused([](VirtualDeviceSettings &s) { s.hand.grip_damping = -1; });
     refused([](VirtualDeviceSettings &s) { s.encoder_step = -1; });
     refused([](VirtualDeviceSettings &s) { s.velocity_cutoff = 0; });
     refused([](VirtualDeviceSettings &s) { s.force_delay = -1; });
+    refused([](VirtualDeviceSettings &s) { s.position_delay = -1; });
     EXPECT_THROW(VirtualDevice({}, nullptr), std::invalid_argument);
 }
 

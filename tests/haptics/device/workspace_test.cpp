@@ -161,6 +161,32 @@ TEST(WorkspaceMapping, WhenTheClutchIsLetGoNothingJumps)
     }
 }
 
+TEST(WorkspaceMapping, AMovedBaseCarriesWhatTheClutchHasShifted)
+{
+    RandomNumbers random(9);
+    for (int i = 0; i < 500; ++i)
+    {
+        const WorkspacePlacement from = random_placement(random);
+        WorkspacePlacement to = random_placement(random);
+        to.scale = from.scale;
+        WorkspaceMapping mapping(from);
+        const DeviceState device = random_device(random);
+        mapping.clutch(true, random_device(random));
+        mapping.clutch(false, device);
+        const ToolState before = mapping.to_scene(device);
+        const BaseMotion motion = {random.in_cube(1), random.in_cube(1)};
+        mapping.move_base(to, motion);
+        const Quaternion turn = to.rotation * from.rotation.conjugate();
+        ToolState expected;
+        expected.position = to.offset + turn * (before.position - from.offset);
+        expected.orientation = turn * before.orientation;
+        expected.linear_velocity =
+            turn * before.linear_velocity + motion.velocity + motion.spin.cross(expected.position - to.offset);
+        expected.angular_velocity = turn * before.angular_velocity + motion.spin;
+        expect_same(mapping.to_scene(device), expected, 1e-7);
+    }
+}
+
 TEST(WorkspacePlacement, CoversTheSceneAndIsNoLargerThanItMust)
 {
     RandomNumbers random(10);

@@ -62,10 +62,13 @@ TEST_P(SurfaceLaw, DampingResistsApproachAndNeverPulls)
     TouchForces forces;
     const auto law = make({500, 5, 0});
 
+    Touch covered = touch; // the first one carries the tool alone
+    covered.depth = 0.001;
     tool.linear_velocity = Vector3(3, -0.2, 0); // 0.3 m/s towards the surface
-    law->forces(tool, {touch}, dt, forces);
+    law->forces(tool, {touch, covered}, dt, forces);
     EXPECT_NEAR(forces[0].y(), 1 + 5 * 0.3, 1e-12);
     EXPECT_EQ(forces[0].x(), 0);
+    EXPECT_EQ(forces[1].norm(), 0);
 
     tool.linear_velocity = Vector3(0, 0.2, 0); // 0.1 m/s away
     law->forces(tool, {touch}, dt, forces);
@@ -108,6 +111,22 @@ TEST_P(SurfaceLaw, FrictionHoldsThenSlipsAtItsLimit)
     tool.position.x() -= 0.001; // back within the hold
     law->forces(tool, {floor}, dt, forces);
     EXPECT_NEAR(forces[0].x(), -0.5, 1e-9);
+}
+
+TEST_P(SurfaceLaw, StaticFrictionAloneHoldsUntilItSlips)
+{
+    Touch floor;
+    floor.depth = 0.004; // 2 N
+    ToolState tool;
+    TouchForces forces;
+    const auto law = make({500, 0, 0, 0.5});
+    law->forces(tool, {floor}, dt, forces);
+    tool.position.x() = 0.0019;
+    law->forces(tool, {floor}, dt, forces);
+    EXPECT_NEAR(forces[0].x(), -0.95, 1e-9);
+    tool.position.x() = 0.0021;
+    law->forces(tool, {floor}, dt, forces);
+    EXPECT_NEAR(forces[0].x(), 0, 1e-12);
 }
 
 TEST_P(SurfaceLaw, FrictionIsWithinItsConeOnEveryTouch)

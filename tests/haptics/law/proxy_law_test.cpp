@@ -140,6 +140,19 @@ TEST(ProxyLaw, InAGrooveFrictionActsAlongItOnly)
     EXPECT_NEAR(forces[0].y(), forces[1].y(), 1e-12);
 }
 
+TEST(ProxyLaw, AGrooveThatMovesTakesTheProxyAlongAtItsSpeed)
+{
+    std::vector<Touch> groove = {touch_of(1, Vector3(1, 0, 1).normalized(), 0.002),
+                                 touch_of(2, Vector3(-1, 0, 1).normalized(), 0.002)};
+    for (Touch &touch : groove)
+        touch.surface_velocity.y() = 0.1;
+    Rendered<ProxyLaw> law({1000, 0, 0.5});
+    TouchForces forces;
+    for (int tick = 0; tick <= 10; ++tick)
+        law.forces({}, groove, dt, forces);
+    EXPECT_NEAR(sum_of(forces).y(), 1000 * 0.1 * dt * 10, 1e-9);
+}
+
 /// ODE's contact of a point that enters a plate of 4 mm from above: on the nearer side.
 Touch touch_of_plate(double height, double top)
 {

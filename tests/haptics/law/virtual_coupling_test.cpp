@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
 
 namespace ode_predictive_space::haptics
@@ -26,6 +27,25 @@ TEST(VirtualCoupling, TurnsTheDeviceTowardsTheToolByTheShorterWay)
         const Wrench wrench = wrench_on_device(strong, device, tool);
         EXPECT_NEAR((wrench.torque - 0.8 * angle * axis).norm(), 0, 1e-9);
     }
+}
+
+TEST(VirtualCoupling, DampsTheMotionOfTheToolRelativeToTheDevice)
+{
+    RandomNumbers random(3);
+    const ToolState device = random.tool();
+    ToolState tool = random.tool();
+    tool.orientation = device.orientation;
+    const Wrench wrench = wrench_on_device(strong, device, tool);
+    const Vector3 spring = 400 * (tool.position - device.position);
+    EXPECT_NEAR((wrench.force - spring - 2 * (tool.linear_velocity - device.linear_velocity)).norm(), 0, 1e-9);
+    EXPECT_NEAR((wrench.torque - 0.01 * (tool.angular_velocity - device.angular_velocity)).norm(), 0, 1e-9);
+}
+
+TEST(VirtualCoupling, IsBoundedToHalfOfWhatDiverges)
+{
+    const CouplingProperties most = bounded({1e9, 1e9, 1e9, 1e9}, 0.05, 1e-5, dt);
+    EXPECT_NEAR(dt * dt * most.stiffness + 2 * dt * most.damping, 2 * 0.05, 1e-12);
+    EXPECT_NEAR(dt * dt * most.angular_stiffness + 2 * dt * most.angular_damping, 2 * 1e-5, 1e-15);
 }
 
 TEST(VirtualCoupling, RefusesPropertiesThatCannotBe)

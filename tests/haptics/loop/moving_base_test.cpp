@@ -123,32 +123,64 @@ TEST_F(MovingBase, CarriesTheHeldToolAndTheGripAlong)
     EXPECT_EQ(probe.tool().linear_velocity, Vector3(Vector3::Zero())) << "no further call: it stands";
 }
 
-TEST_F(MovingBase, StaysWhereItIsPlacedAfterACallToMoveIt)
+TEST_F(MovingBase, TurnsAndMovesEvenlyWithinAStepOfTheScene)
 {
     ProbeWorld world;
     ScriptedDevice device = still_device();
-    HapticProbe probe(device, world.space, radius);
+    RenderSettings settings;
+    settings.physics_rate = 100;
+    HapticProbe probe(device, world.space, radius, settings);
     world.run(probe, 10);
-    probe.renderer().move_base(placed_at(0.1), {});
-    probe.renderer().set_placement(placed_at(0.3));
-    world.run(probe, 2);
-    EXPECT_NEAR((probe.tool().position - placed_at(0.3).offset).norm(), 0, 1e-12);
+    WorkspacePlacement placement = placed_at(0.1);
+    placement.rotation = Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitZ()));
+    probe.renderer().move_base(placement, {});
+    for (const double part : {0.5, 1.0})
+    {
+        world.run(probe, 5);
+        EXPECT_NEAR(probe.tool().position.x(), part * 0.1, 1e-9);
+        EXPECT_NEAR(probe.tool().orientation.angularDistance(Quaternion::Identity()), part * 0.3, 1e-9);
+    }
+}
+
+TEST_F(MovingBase, StaysWhereItIsPlacedAfterACallToMoveIt)
+{
+    for (const int ticks : {0, 3}) // of ten for a motion
+    {
+        ProbeWorld world;
+        ScriptedDevice device = still_device();
+        RenderSettings settings;
+        settings.physics_rate = 100;
+        HapticProbe probe(device, world.space, radius, settings);
+        world.run(probe, 10);
+        probe.renderer().move_base(placed_at(0.1), {});
+        world.run(probe, ticks);
+        probe.renderer().set_placement(placed_at(0.3));
+        world.run(probe, 20);
+        EXPECT_NEAR((probe.tool().position - placed_at(0.3).offset).norm(), 0, 1e-12) << ticks;
+    }
 }
 
 TEST_F(MovingBase, RefusesAnotherScaleAndNonsense)
 {
     ProbeWorld world;
     ScriptedDevice device = still_device();
-    HapticProbe probe(device, world.space, radius);
-    WorkspacePlacement placement;
-    placement.scale = 2;
-    EXPECT_THROW(probe.renderer().move_base(placement, {}), std::invalid_argument);
+    RenderSettings settings;
+    settings.placement.scale = 2;
+    settings.placement.force_scale = 3;
+    HapticProbe probe(device, world.space, radius, settings);
+    WorkspacePlacement placement = settings.placement;
+    EXPECT_NO_THROW(probe.renderer().move_base(placement, {}));
     placement.scale = 1;
+    EXPECT_THROW(probe.renderer().move_base(placement, {}), std::invalid_argument);
+    placement = settings.placement;
+    placement.force_scale = 1;
+    EXPECT_THROW(probe.renderer().move_base(placement, {}), std::invalid_argument);
+    placement = settings.placement;
     placement.offset.y() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(probe.renderer().move_base(placement, {}), std::invalid_argument);
     BaseMotion motion;
     motion.spin.z() = std::numeric_limits<double>::infinity();
-    EXPECT_THROW(probe.renderer().move_base({}, motion), std::invalid_argument);
+    EXPECT_THROW(probe.renderer().move_base(settings.placement, motion), std::invalid_argument);
     world.run(probe, 1);
     EXPECT_EQ(probe.tool().position, Vector3(Vector3::Zero()));
 }

@@ -203,6 +203,23 @@ TEST(Renderer, NothingIsLeftOfAForceThatWasTakenAway)
     }
 }
 
+/// The loop hung for a while, in which simulated time stood still.
+TEST(Renderer, AHandThatHasMovedWhileNobodyReadItHasNotJumped)
+{
+    Vector3 hand(0, 0, 0.05);
+    ScriptedDevice device([&](double) { return hand; });
+    int notices = 0;
+    RenderSettings settings;
+    settings.notice = [&](const Notice &notice) { notices += notice.kind == NoticeKind::device ? 1 : 0; };
+    Renderer renderer(device, settings);
+    for (int tick = 0; tick < 10; ++tick)
+        feel_wall(renderer, dt * tick);
+    renderer.relax();
+    hand.x() = 0.1;
+    feel_wall(renderer, dt * 10);
+    EXPECT_EQ(notices, 0);
+}
+
 TEST(Renderer, APlacementThatPutsTheToolIntoSomethingGivesNoForceUntilItWasLeft)
 {
     ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, 0.01 + 0.01 * std::cos(seconds)}; });

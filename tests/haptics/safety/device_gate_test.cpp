@@ -31,6 +31,7 @@ TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
     EXPECT_TRUE(gate.close_with_zero(0));
     EXPECT_EQ(device_.last_wrench().force.z(), 0);
     EXPECT_FALSE(gate.write(push(2))) << "what was computed before the stall";
+    EXPECT_FALSE(gate.write({Vector3::Zero(), Vector3(1, 0, 0)})) << "nor a torque";
     EXPECT_EQ(device_.last_wrench().force.z(), 0);
     EXPECT_TRUE(gate.notice_closing());
     EXPECT_FALSE(gate.notice_closing());

@@ -1,10 +1,12 @@
 #include "ode_predictive_space/haptics/safety/open_gates.h"
 
 #include "tests/haptics/safety/program_end_fixture.h"
+#include "tests/haptics/support/allocation_count.h"
 
 #include <atomic>
 #include <exception>
 #include <memory>
+#include <sys/time.h>
 #include <thread>
 #include <vector>
 
@@ -66,6 +68,40 @@ TEST_F(OpenGatesTest, ASecondGateToADeviceIsRefusedUntilTheFirstIsRemoved)
     open_gates::remove(pushing->gate);
     EXPECT_NO_THROW(open_gates::add(second));
     open_gates::remove(second);
+    const std::uint64_t before = allocation_count();
+    open_gates::add(second);
+    open_gates::remove(second);
+    EXPECT_EQ(allocation_count(), before) << "a place is used again";
+}
+
+TEST_F(OpenGatesTest, OnlyUnguardedGatesThatTheThreadReadsAreClosed)
+{
+    PushingGate pushing(force_);
+    const std::thread::id me = std::this_thread::get_id();
+    EXPECT_FALSE(open_gates::close_unguarded(std::thread::id(), 0)) << "another thread";
+    pushing.gate.set_guarded(true);
+    EXPECT_FALSE(open_gates::close_unguarded(me, 0)) << "guarded";
+    EXPECT_EQ(force_.now, 1);
+    pushing.gate.set_guarded(false);
+    EXPECT_TRUE(open_gates::close_unguarded(me, 0));
+    EXPECT_EQ(force_.now, 0);
+}
+
+TEST_F(OpenGatesTest, TheEndOfAllForcesLeavesTheAlarmToTheProgram)
+{
+    for (int round = 0; round < 2; ++round) // the second gate takes the place of the first
+    {
+        PushingGate pushing(force_);
+        EXPECT_EQ(force_.now, 1);
+        open_gates::end_all_forces();
+        EXPECT_EQ(force_.now, 0) << round;
+    }
+    itimerval timer = {};
+    getitimer(ITIMER_REAL, &timer);
+    EXPECT_EQ(timer.it_value.tv_sec + timer.it_value.tv_usec, 0);
+    struct sigaction action = {};
+    sigaction(SIGALRM, nullptr, &action);
+    EXPECT_TRUE(action.sa_handler == SIG_DFL);
 }
 
 TEST_F(OpenGatesTest, AGateThatIsRemovedIsLeftAlone)

@@ -1,6 +1,7 @@
 #include "ode_predictive_space/haptics/safety/passivity.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "tests/haptics/safety/simulated_hand.h"
 #include "tests/haptics/support/constants.h"
@@ -141,12 +142,13 @@ TEST(Passivity, BoundsTheEnergyOfAWallThatAnswersLate)
 /// A force of one tick and a motion of one tick: the motion is charged only to the force that acted `delay` ticks before.
 TEST(Passivity, AMotionIsPaidByTheForceOfTheDelayBefore)
 {
-    for (const int delay : {0, 1, 2, 5, PassivityController::most_delay})
+    for (const auto &[ticks, delay] : {std::pair(0.0, 0), std::pair(1.0, 1), std::pair(1.6, 2), std::pair(5.4, 5),
+                                       std::pair(1000.0, PassivityController::most_delay)})
     {
         for (int moved_after = 1; moved_after < 70; ++moved_after)
         {
             PassivityController controller(0);
-            controller.set_delay(delay);
+            controller.set_delay(ticks);
             controller.control(state_at(0), Vector3(2, 0, 0), dt);
             for (int tick = 1; tick < moved_after; ++tick)
                 controller.control(state_at(0), Vector3::Zero(), dt);

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <optional>
+#include <utility>
 
 namespace ode_predictive_space::haptics
 {
@@ -55,6 +57,43 @@ protected:
     ProbeWorld world_;
     NoticeList notices_;
 };
+
+/// Gives a new state every 20 ms.
+class SlowDevice : public PositionsOnly
+{
+public:
+    using PositionsOnly::PositionsOnly;
+
+    DeviceState read(double time) override
+    {
+        const DeviceState state = PositionsOnly::read(time);
+        if (!last_ || time - last_->time >= 0.02)
+            last_ = state;
+        return *last_;
+    }
+
+private:
+    std::optional<DeviceState> last_;
+};
+
+TEST_F(PlausibilityTest, ADeviceMayBeSlow)
+{
+    Capabilities capabilities = desktop_capabilities();
+    capabilities.rate = 50;
+    SlowDevice device([](double) { return Vector3(0, 0, 0.05); }, capabilities);
+    most_force_after(device, 0, 0.5);
+    EXPECT_EQ(notices_.count(NoticeKind::device), 0) << notices_.text(NoticeKind::device);
+}
+
+TEST_F(PlausibilityTest, ADeviceMayLeaveItsWorkspaceByAMetreOrTwiceItsSize)
+{
+    for (const auto &[reach, height] : {std::pair(0.1, 1.05), std::pair(1.0, 7.0)})
+    {
+        PositionsOnly device([z = height](double) { return Vector3(0, 0, z); }, with_workspace(reach));
+        most_force_after(device, 0, 0.1);
+        EXPECT_EQ(notices_.count(NoticeKind::device), 0) << notices_.text(NoticeKind::device);
+    }
+}
 
 ScriptedDevice::Path jump_to(double height)
 {
@@ -131,30 +170,44 @@ TEST_F(PlausibilityTest, OneReadThatIsNotANumberDoesNotCostTheWall)
     }
 }
 
-class TimelessDevice : public FaultyDevice
+class SpoiledDevice : public FaultyDevice
 {
 public:
-    using FaultyDevice::FaultyDevice;
+    using Place = double *(*)(DeviceState &);
+
+    SpoiledDevice(Device &device, Place place) : FaultyDevice(device), place_(place) {}
 
     DeviceState read(double time) override
     {
         DeviceState state = FaultyDevice::read(time);
         if (time > 1.7)
-            state.time = std::numeric_limits<double>::quiet_NaN();
+            *place_(state) = nan;
         return state;
     }
+
+private:
+    Place place_;
 };
 
-TEST_F(PlausibilityTest, ATimeThatIsNotANumberIsADeviceThatDoesNotAnswer)
+TEST_F(PlausibilityTest, AStateThatIsNotANumberIsADeviceThatDoesNotAnswer)
 {
-    ScriptedDevice scripted(lean());
-    TimelessDevice device(scripted);
-    HapticProbe probe(device, world_.space, radius, with_stiffness(stiffness, notices_.sink()));
-    world_.run(probe, 1690);
-    EXPECT_GT(device.last_wrench().force.z(), 0.9);
-    world_.run(probe, 15);
-    EXPECT_TRUE(device.last_wrench().force.isZero(0));
-    EXPECT_EQ(notices_.count(NoticeKind::device), 1);
+    const SpoiledDevice::Place places[] = {[](DeviceState &state) { return &state.time; },
+                                           [](DeviceState &state) { return &state.orientation.z(); },
+                                           [](DeviceState &state) { return &state.angular_velocity.x(); }};
+    for (const SpoiledDevice::Place place : places)
+    {
+        NoticeList notices;
+        ScriptedDevice scripted(lean());
+        SpoiledDevice device(scripted, place);
+        ProbeWorld world;
+        dCreatePlane(world.space, 0, 0, 1, 0);
+        HapticProbe probe(device, world.space, radius, with_stiffness(stiffness, notices.sink()));
+        world.run(probe, 1690);
+        EXPECT_GT(device.last_wrench().force.z(), 0.9);
+        world.run(probe, 15);
+        EXPECT_TRUE(device.last_wrench().force.isZero(0));
+        EXPECT_EQ(notices.count(NoticeKind::device), 1);
+    }
 }
 
 TEST_F(PlausibilityTest, AMaximumOfForceThatIsNotToldIsANotice)

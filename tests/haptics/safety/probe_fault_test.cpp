@@ -35,17 +35,33 @@ protected:
 
 TEST_F(ProbeFaultTest, ABodyGetsNothingFromADeviceThatIsLost)
 {
-    ProbeWorld world;
-    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
-    HapticProbe probe(device_, world.space, radius, with_stiffness(800));
-    world.run(probe, reach_ticks);
-    device_.break_now(Breakage::lost);
-    world.run(probe, 1);
-    const Vector3 before = momentum_of(body);
-    EXPECT_LT(before.z(), 0);
-    world.run(probe, 100);
-    EXPECT_FALSE(probe.last_tick().device_answers);
-    EXPECT_EQ(momentum_of(body), before);
+    for (const Breakage breakage : {Breakage::lost, Breakage::unwritable})
+    {
+        ProbeWorld world;
+        const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1000);
+        device_.break_now(Breakage::none);
+        HapticProbe probe(device_, world.space, radius, with_stiffness(800));
+        world.run(probe, reach_ticks);
+        device_.break_now(breakage);
+        const Vector3 before = momentum_of(body);
+        EXPECT_LT(before.z(), 0);
+        world.run(probe, 100);
+        EXPECT_FALSE(probe.last_tick().device_answers);
+        EXPECT_EQ(momentum_of(body), before);
+    }
+}
+
+TEST_F(ProbeFaultTest, ADeviceThatFailsIsTriedAgainTenTimesASecond)
+{
+    HapticProbe probe(device_, world_.space, radius, with_stiffness(800));
+    world_.run(probe, 10);
+    int tries = 0;
+    scripted_.before_read = [&] {
+        ++tries;
+        throw DeviceError(DeviceFault::failed, "the device does not answer");
+    };
+    world_.run(probe, 1000);
+    EXPECT_NEAR(tries, 10, 1);
 }
 
 TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)

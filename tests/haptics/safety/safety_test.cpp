@@ -69,6 +69,8 @@ TEST(SafetyLimits, FollowFromTheDevice)
 
     desktop.force_axes = 6;
     EXPECT_DOUBLE_EQ(SafetyLimits::of(desktop).max_torque, 0.4);
+    EXPECT_DOUBLE_EQ(SafetyLimits::of(desktop).max_torque_rate, 80);
+    EXPECT_DOUBLE_EQ(SafetyLimits::of(desktop).engage_torque, 0.02);
     desktop.force_axes = 0;
     EXPECT_EQ(SafetyLimits::of(desktop).max_force, 0);
     EXPECT_EQ(SafetyLimits::of(desktop).max_torque, 0);
@@ -157,6 +159,8 @@ TEST(SafetyStage, ClampsToTheMaximumAndKeepsTheDirection)
         EXPECT_NEAR(wrench.torque.normalized().dot(Vector3(0, -1, 1).normalized()), 1, 1e-12);
         EXPECT_TRUE(loop.stage.report().did(SafetyAction::clamped));
     }
+    loop.tick(wrench_of(1, 2));
+    EXPECT_TRUE(loop.stage.report().did(SafetyAction::clamped)) << "the torque alone";
 }
 
 TEST(SafetyStage, LetsGoOfAHandThatIsTooFastAndComesBackSlowly)
@@ -208,6 +212,24 @@ TEST(SafetyStage, ADeviceWithoutTorqueGetsNoneAndThatIsNoEvent)
     EXPECT_EQ(wrench.force.y(), 3);
     EXPECT_EQ(wrench.torque.norm(), 0);
     EXPECT_EQ(loop.stage.report().now, 0u);
+}
+
+TEST(SafetyStage, CanRenderNothingOnlyWhereBothMaximaAreZero)
+{
+    SafetyLimits limits = test_limits();
+    limits.max_force = 0;
+    Loop loop(limits);
+    loop.tick(Wrench());
+    for (int i = 0; i < 200; ++i)
+        loop.tick(wrench_of(0, 0.3));
+    EXPECT_EQ(loop.tick(wrench_of(0, 0.3)).torque.x(), 0.3);
+
+    limits.max_torque = 0;
+    Loop without(limits);
+    without.tick(Wrench());
+    EXPECT_FALSE(without.stage.report().did(SafetyAction::no_axes)) << "nothing was requested";
+    without.tick(wrench_of(0, 0.3));
+    EXPECT_TRUE(without.stage.report().did(SafetyAction::no_axes));
 }
 
 TEST(SafetyStage, HoldsBackWhatTheWatchdogDoesNotAllow)

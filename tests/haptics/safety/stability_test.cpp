@@ -1,4 +1,5 @@
 #include "ode_predictive_space/haptics/safety.h"
+#include "ode_predictive_space/haptics/safety/safety_stage.h"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +72,9 @@ TEST(Stability, OfADampingThatIsKnownTheStiffnessIsPassive)
     EXPECT_EQ(verdict.damping, 0.1);
 
     rendering.delay = 0.001; // a whole period: T / 2 becomes 3 T / 2
-    EXPECT_NEAR(check_stability(desktop(), rendering).stiffness, 200, 1e-9);
+    verdict = check_stability(desktop(), rendering);
+    EXPECT_NEAR(verdict.stiffness, 200, 1e-9);
+    EXPECT_NE(verdict.reason.find(" in the device and a delay of 1 ms; "), std::string::npos) << verdict.reason;
 
     rendering = rendering_of(3000);
     rendering.device_damping = 100; // the device's own limit is lower
@@ -89,6 +92,10 @@ TEST(Stability, DampingIsClampedToo)
     EXPECT_EQ(verdict.reason,
               "A damping of 12 N s/m is above the 5 N s/m that PHANToM Desktop can render; 5 N s/m is used. "
               "A stiffness of 3000 N/m is above the 1000 N/m that PHANToM Desktop can render; 1000 N/m is used.");
+    EXPECT_EQ(renderable(desktop(), rendering).damping, 5);
+    rendering.device_damping = 3;
+    EXPECT_EQ(renderable(desktop(), rendering).damping, 0) << "5 N s/m would not be passive";
+    EXPECT_EQ(renderable(desktop(), rendering).stiffness, 1000);
 }
 
 TEST(Stability, LimitsThatAreNotKnownDoNotCount)
@@ -105,6 +112,7 @@ TEST(Stability, ADeviceThatCannotPushRendersAnything)
     Capabilities mouse = desktop();
     mouse.force_axes = 0;
     EXPECT_EQ(check_stability(mouse, rendering_of(3000)).outcome, StabilityOutcome::fine);
+    EXPECT_EQ(renderable(mouse, rendering_of(3000)).stiffness, 3000);
 }
 
 TEST(Stability, NonsenseIsRefusedWithTheReason)
@@ -148,6 +156,7 @@ TEST(Stability, MoreDampingThanTheDeviceHasIsRefused)
         check_stability(desktop(), rendering).reason,
         "No stiffness is passive with a damping of 0.4 N s/m, as the device's own damping, 0.4 N s/m, is not larger.");
     rendering.stiffness = 0;
+    EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::refused) << "without stiffness, too";
     rendering.damping = 0;
     rendering.device_damping = 0;
     EXPECT_EQ(check_stability(desktop(), rendering).outcome, StabilityOutcome::fine); // without stiffness and damping

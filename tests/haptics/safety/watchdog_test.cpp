@@ -125,6 +125,7 @@ TEST(Watchdog, TheServoIsLateByItsOwnRate)
 {
     EXPECT_EQ(WatchdogLimits::of(1000, 50).late_after, WatchdogLimits::of(1000, 1000).late_after);
     EXPECT_GT(WatchdogLimits::of(50, 1000).late_after, WatchdogLimits::of(1000, 1000).late_after);
+    EXPECT_DOUBLE_EQ(WatchdogLimits::of(50, 1000).late_period, 0.03);
 }
 
 TEST(Watchdog, SlowerPhysicsIsGivenItsTime)

@@ -196,7 +196,7 @@ void hdGetIntegerv(std::uint32_t name, int *values)
         *values = state.pose.buttons;
         return;
     case 0x2555:
-        *values = 4;
+        *values = 4 | 8;
         return;
     case 0x2600:
         *values = state.told_rate;

@@ -32,6 +32,7 @@ public:
     void send_motion(int x, int y, int z, int rx, int ry, int rz) { send({0, x, y, z, rx, ry, rz, 16}); }
     void send_button(int button, bool is_pressed) { send({is_pressed ? 1 : 2, button, 0, 0, 0, 0, 0, 0}); }
     void send_unplugged() { send({3, 1, 0, 0, 0, 0, 0, 0}); }
+    void send_plugged_in() { send({3, 0, 0, 0, 0, 0, 0, 0}); }
 
     void send_nonsense() { send({0x7fff0000, 1, 2, 3, 4, 5, 6, 7}); }
 
