@@ -51,7 +51,7 @@ extern "C" {
  *
  * **Units.** Lengths are in the program's unit (for instance metres), times in ticks, speeds in that unit per tick. A tick is
  * one dSpaceCollide() on the space after something has moved: while nothing moves, no time passes. In a program that only
- * queries, the first query after a move counts as a tick, from the seventeenth such query in a row on.
+ * queries, the first query after a move counts as a tick, from the ninth such query in a row on.
  *
  * **Threads.** dSpaceCollide() on a space, also as dSpaceCollide2() of the space with itself, is for one thread at a time; a
  * call beside that of another thread is refused with a message, and calls no callback. Several threads may call

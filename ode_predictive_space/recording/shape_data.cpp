@@ -131,7 +131,8 @@ bool is_sampled_once(dGeomID geom)
 
 bool ShapeData::Key::operator<(const Key &other) const
 {
-    return std::tie(first, second, third, numbers) < std::tie(other.first, other.second, other.third, other.numbers);
+    return std::tie(first, second, third, numbers, sizes) <
+           std::tie(other.first, other.second, other.third, other.numbers, other.sizes);
 }
 
 bool ShapeData::key_of(dGeomID geom, Key &key)
@@ -139,7 +140,7 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
     if (geom->type == dConvexClass)
     {
         const auto *convex = static_cast<const dxConvex *>(geom);
-        key = {convex->points, convex->polygons, convex->planes, {convex->planecount, convex->pointcount}};
+        key = {convex->points, convex->polygons, convex->planes, {convex->planecount, convex->pointcount}, {}};
         return true;
     }
     if (geom->type == dHeightfieldClass)
@@ -151,7 +152,8 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
                field->samples,
                field->user_data,
                {static_cast<std::uint32_t>(field->columns), static_cast<std::uint32_t>(field->rows),
-                static_cast<std::uint32_t>(field->source)}};
+                static_cast<std::uint32_t>(field->source)},
+               {field->width, field->depth, field->scale, field->offset}};
         return true;
     }
     const TriangleArrays *mesh = mesh_data_of(geom);
@@ -161,7 +163,8 @@ bool ShapeData::key_of(dGeomID geom, Key &key)
            mesh->triangles,
            nullptr,
            {mesh->vertex_count, mesh->triangle_count, static_cast<std::uint32_t>(mesh->vertex_stride),
-            static_cast<std::uint32_t>(mesh->triangle_stride), mesh->single}};
+            static_cast<std::uint32_t>(mesh->triangle_stride), mesh->single},
+           {}};
     return true;
 }
 

@@ -35,6 +35,7 @@ private:
     {
         const void *first, *second, *third;
         std::array<std::uint32_t, 5> numbers; // counts and strides
+        std::array<dReal, 4> sizes;           // of a heightfield
         bool operator<(const Key &other) const;
     };
     static bool key_of(dGeomID geom, Key &key);

@@ -78,6 +78,13 @@ TEST(HistoryFile, EndsWithTheLastWholeRecordWhenTheDiskIsFull)
     EXPECT_EQ(std::filesystem::file_size(scratch.path()), 100u);
 }
 
+TEST(HistoryFile, ADeviceThatIsFullIsSaidToBeFull)
+{
+    HistoryFile file("/dev/full", false);
+    EXPECT_FALSE(file.write("a"));
+    EXPECT_EQ(file.error(), ENOSPC);
+}
+
 TEST(HistoryFile, LeavesAFileAloneThatIsThereAlready)
 {
     const ScratchFile scratch;

@@ -232,23 +232,24 @@ TEST_F(RecorderTest, AHeightfieldWithASampleThatIsNoNumberIsItsBoxAlsoOnABody)
     dGeomHeightfieldDataDestroy(field);
 }
 
-TEST_F(RecorderTest, TheCallbackOfAHeightfieldIsCalledOnceForEachSample)
+TEST_F(RecorderTest, TheCallbackOfAHeightfieldIsCalledOnceForEachSampleOfEachBuild)
 {
     int calls = 0;
     const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
-    dGeomHeightfieldDataBuildCallback(
-        field, &calls,
-        [](void *count, int, int) {
-            ++*static_cast<int *>(count);
-            return dReal(0);
-        },
-        10, 10, 4, 5, 1, 0, 1, 0);
+    const auto build = [&](dReal scale) {
+        const auto count = [](void *number, int, int) { return dReal(0 * ++*static_cast<int *>(number)); };
+        dGeomHeightfieldDataBuildCallback(field, &calls, count, 10, 10, 4, 5, scale, 0, 1, 0);
+    };
+    build(1);
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     dCreateHeightfield(space, field, 1);
     Recorded recorded;
     for (int i = 0; i < 3; ++i)
         recorded.collide(space);
     EXPECT_EQ(calls, 4 * 5);
+    build(2);
+    recorded.collide(space);
+    EXPECT_EQ(calls, 2 * 4 * 5);
     dSpaceDestroy(space);
     dGeomHeightfieldDataDestroy(field);
 }
