@@ -101,7 +101,7 @@ void SceneMotion::predict(double time, double period, int affordable, MotionFore
             place.free[node] = static_cast<double>(node) * h * place.velocity;
     }
     for (std::size_t i = 0; i < touched_.size(); ++i)
-        find_response(island, i, rest, h, forecast);
+        find_response(island, i, rest, free, h, forecast);
 }
 
 void SceneMotion::note_step(bool drew_numbers)
@@ -264,7 +264,7 @@ SceneMotion::Courses SceneMotion::try_out(IslandRollOut &island, const std::vect
 
 /// The first push is as strong as the hand's last one. The others are added to it, as friction depends on the normal force.
 void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest,
-                                double h, MotionForecast &forecast)
+                                const Courses &free, double h, MotionForecast &forecast)
 {
     const Touched &touched = touched_[pushed];
     const double size = std::max(least_test, last_impulse_on(touched.touch.object));
@@ -281,7 +281,7 @@ void SceneMotion::find_response(IslandRollOut &island, std::size_t pushed, const
         const BodyMotion unhindered = touched.inverse_inertia * touched.wrenches.col(column);
         for (std::size_t seen = 0; seen < touched_.size(); ++seen)
         {
-            const Course &before = i == 0 ? forecast.places[seen].free : first[seen];
+            const Course &before = i == 0 ? free[seen] : first[seen];
             auto &course = forecast.response[pushed][seen];
             course[0].setZero();
             for (std::size_t node = 1; node <= nodes; ++node)

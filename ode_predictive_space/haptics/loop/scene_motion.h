@@ -76,8 +76,8 @@ private:
     void choose_steps(IslandRollOut &island, double period, int affordable);
     double fastest_spring() const;
     Courses try_out(IslandRollOut &island, const std::vector<BodyImpulse> &impulses, double h) const;
-    void find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest, double h,
-                       MotionForecast &forecast);
+    void find_response(IslandRollOut &island, std::size_t pushed, const std::vector<BodyImpulse> &rest,
+                       const Courses &free, double h, MotionForecast &forecast);
     BodyMotion limited(const BodyMotion &found, const BodyMotion &free, std::size_t seen, std::size_t pushed) const;
     double last_impulse_on(std::uintptr_t object) const;
     bool is_one_awake() const;
