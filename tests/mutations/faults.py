@@ -777,6 +777,13 @@ def space_faults():
     yield Fault(
         "forecast_of_libccd_pairs_by_spheres", "space", SOURCES + "space/forecast_query.cpp",
         "by_sphere() && !found_by_libccd(geoms_[pair.first], geoms_[pair.second]);", "by_sphere();", (("times", "Times.*"),))
+    yield Fault(
+        "heights_of_another_scale_share_a_grid", "space", SOURCES + "space/hull_maker.cpp",
+        "            word(heights.scale),\n", "", (("shape_contract", "HullOfHeights.*"),))
+    yield Fault(
+        "pose_of_an_offset_geom_is_its_own", "space", SOURCES + "space/geom_scene.cpp",
+        "    const dReal *position = geom->body ? dBodyGetPosition(geom->body) : geom->final_posr->pos;",
+        "    const dReal *position = geom->final_posr->pos;", (("times", "Times.*Offset*"),))
 
 
 def history_faults():
@@ -911,6 +918,9 @@ def history_faults():
     yield Fault(
         "notices_of_a_removed_geom_kept", "history", SOURCES + "recording/recorder.cpp",
         "            notices_.take(place->first);\n", "", (("recordings", "*CameBackHasNoNotices"),))
+    yield Fault(
+        "stand_in_keeps_its_offset", "history", SOURCES + "recording/state.cpp", "    state.has_offset = 0;\n", "",
+        (("recordings", "RecorderTest.AMesh*"),))
 
 
 def advice_faults():
@@ -972,6 +982,14 @@ def replay_faults():
     yield Fault(
         "failure_of_a_child_forgotten", "replay", child, "return WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) :",
         "return WIFSIGNALED(status) ? \"\" :", replayed)
+    yield Fault(
+        "cut_notices_are_taken_for_nonsense", "replay", SOURCES + "recording/recording_check.cpp",
+        "    case RecordKind::heights:\n    case RecordKind::notices:\n        return true;\n",
+        "    case RecordKind::heights:\n        return true;\n", (("recordings", "Recording.*"),))
+    yield Fault(
+        "nested_space_counts_as_bounded", "replay", SOURCES + "recording/replay.cpp",
+        "    return !dGeomIsSpace(geom) && std::none_of(box,", "    return std::none_of(box,",
+        (("recordings", "Replay.*"),))
 
 
 def haptic_faults():
@@ -1085,6 +1103,17 @@ def haptic_faults():
         "torque_on_the_tool_ignores_the_watchdog", "haptics", SOURCES + "haptics/renderer.cpp",
         "given.torque = parts_->watchdog->factor() * requested.torque;", "given.torque = requested.torque;",
         (("haptics", "HapticProbeTest.ATorque*"),))
+    yield Fault(
+        "static_friction_alone_is_none", "haptics", SOURCES + "haptics/law/penalty_law.cpp",
+        "        if (std::max(material.friction, material.static_friction) > 0)\n", "        if (material.friction > 0)\n",
+        (("haptics", "PenaltyLaw.*"),))
+    yield Fault(
+        "rest_of_the_impulses_is_lost_at_the_end", "haptics", SOURCES + "haptics/loop/scene_motion.cpp",
+        "    push_now(rest_, h);\n    push_now(waiting_, h);\n", "    push_now(waiting_, h);\n",
+        (("haptics", "DecoupledLoopTest.*"),))
+    yield Fault(
+        "shares_outlive_the_force", "haptics", SOURCES + "haptics/renderer.cpp",
+        "    parts_->touched.give(Vector3::Zero());\n", "", (("haptics", "DecoupledLoopTest.*"),))
 
 
 FAULTS = tuple(
