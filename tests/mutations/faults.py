@@ -798,8 +798,9 @@ def history_faults():
         "parent_looked_at_before_the_outermost_space", "history", recorder, "        while (begin->parent_space)\n",
         "        if (begin->parent_space)\n", (("recordings", "Recorded*"),))
     yield Fault(
-        "strides_not_in_the_key_of_a_mesh", "history", data, "std::tie(first, second, third, numbers) < std::tie(other.first, other.second, other.third, other.numbers);",
-        "std::tie(first, second, third, numbers[0], numbers[1]) <\n           std::tie(other.first, other.second, other.third, other.numbers[0], other.numbers[1]);",
+        "strides_not_in_the_key_of_a_mesh", "history", data,
+        "std::tie(first, second, third, numbers, sizes) <\n           std::tie(other.first, other.second, other.third, other.numbers, other.sizes);",
+        "std::tie(first, second, third, numbers[0], numbers[1], sizes) <\n           std::tie(other.first, other.second, other.third, other.numbers[0], other.numbers[1], other.sizes);",
         recorded)
     yield Fault(
         "levels_that_change_not_recorded", "history", state, "when(differ(before.space, now.space), geom_field::space) |", "", recorded)
@@ -850,7 +851,7 @@ def history_faults():
         "i < 1; i += sizeof(std::uint64_t)", recorded)
     yield Fault(
         "part_of_a_record_left_in_a_full_file", "history", file,
-        "ftruncate(file_, static_cast<off_t>(size_)) != 0", "false", (("recordings", "HistoryFile.*"),))
+        "ftruncate(file_, static_cast<off_t>(size_));", "0;", (("recordings", "HistoryFile.*"),))
     yield Fault(
         "emptied_under_another_recording", "history", file, "return EBUSY;", "return 0;", (("recordings", "HistoryFile.*"),))
     yield Fault(
