@@ -206,7 +206,7 @@ TEST(Recorder, LosesWhatCouldNotBeReadBack)
         (fast.*velocity).z() = nan;
         EXPECT_FALSE(recorder.add(4, fast, Vector3::Zero()));
     }
-    EXPECT_FALSE(add(recorder, std::numeric_limits<double>::infinity()));
+    EXPECT_FALSE(recorder.add(std::numeric_limits<double>::infinity(), DeviceState(), Vector3::Zero()));
     EXPECT_TRUE(add(recorder, 5));
     recorder.close();
     EXPECT_EQ(recorder.lost(), 8u);
