@@ -76,9 +76,9 @@ TEST_F(ProbeRun, RefusesWhatItDoesNotKnow)
 {
     for (const char *options :
          {"everything", "--object 30", "--objects", "--objects many", "--objects 0", "--objects=100001",
-          "--objects 2.5", "--seed x", "--seconds 0.001", "--rate 99", "--law magnetism", "--scene", "--space octree",
-          "--space predictive,octree", "--space hash sap octree", "--headless 7 --fast", "--headless=maybe",
-          "--headless --device sponge"})
+          "--objects 2.5", "--seed x", "--seconds 0.001", "--seconds -1", "--rate 99", "--law magnetism", "--scene",
+          "--space octree", "--space predictive,octree", "--space hash sap octree", "--headless 7 --fast",
+          "--headless=maybe", "--headless --device sponge"})
     {
         const Outcome outcome = run(HAPTIC_DEMO, options);
         EXPECT_EQ(outcome.status, 2) << options;

@@ -36,21 +36,7 @@ ODE = ("simple", "hash", "quadtree", "sap")
 
 # Names that columns of pages have in the data.
 COLUMNS = {
-    "stepped.json": {
-        "best ODE space": "best ODE space, mean",
-        "predictive": "predictive, mean",
-        "collide": "ratio",
-        "dSpaceCollide": "ratio",
-        "whole tick": "ratio of whole ticks",
-    },
-    "contact.json": {
-        "best ODE": "best ODE space",
-        "with dCollide": "best ODE / by box",
-        "collide + dCollide": "best ODE / by box",
-        "collide + dCollide, by box": "best ODE / by box",
-        "collide + dCollide, by shape": "best ODE / by shape",
-        "pairs with contacts": "touching",
-    },
+    "contact.json": {"best ODE": "best ODE space", "pairs with contacts": "touching"},
     "worlds_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},
     "worlds_times.csv": {"dSpaceCollide": "ratio", "whole tick": "ratio of whole ticks"},
     "scenes_instructions.json": {"ours": "predictive-box", "now": "predictive-box", "best ODE / ours": "ratio"},

@@ -100,18 +100,6 @@ TEST(HapticDemo, RunsInOneSpaceAlone)
     EXPECT_TRUE(contains(outcome.output, "quadtree")) << outcome.output;
 }
 
-TEST(HapticDemo, RefusesWhatItCannotDo)
-{
-    EXPECT_GT(run(HAPTIC_DEMO, "--objects 0").status, 1);
-    EXPECT_GT(run(HAPTIC_DEMO, "--seconds -1").status, 1);
-    EXPECT_GT(run(HAPTIC_DEMO, "--space octree").status, 1);
-    const Outcome outcome =
-        run(HAPTIC_DEMO, "--compare --objects 5 --seconds 0.05 --json /no/such/folder/results.json");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_TRUE(contains(outcome.output, "/no/such/folder/results.json cannot be written: No such file or directory"))
-        << outcome.output;
-}
-
 TEST(BesideOde, ComparesMediansWithinEightyColumns)
 {
     const Outcome outcome = run(BESIDE_ODE, "");

@@ -1,6 +1,6 @@
 // Every world moves to the last bit as it did when its line of motion_hashes.txt was written.
 
-#include "demos/worlds/world.h"
+#include "tests/scenes/few_objects.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -154,23 +153,12 @@ std::ostream &operator<<(std::ostream &out, const Line &line)
     return out << line.name << ' ' << line.spec.objects << ' ' << line.spec.seed << ' ' << hash_of(line.spec);
 }
 
-int objects_of(const WorldEntry &world)
-{
-    const std::map<std::string, int> few = {{"ragdolls", 3},     {"chain", 1}, {"city", 5},   {"nested", 6},
-                                            {"nested_empty", 8}, {"many", 17}, {"lidar", 40}, {"lidar_nested", 40},
-                                            {"hills", 250},      {"reset", 12}};
-    const auto found = few.find(world.name);
-    if (found != few.end())
-        return found->second;
-    return world.group == Group::program ? 60 : world.group == Group::limit ? 50 : 100;
-}
-
 std::vector<Line> lines()
 {
     std::vector<Line> all = {{"gas_of_which_a_tenth_moves", {"gas", 100, 3, 0.1}},
                              {"mix_without_probe", {"mix", 100, 3, -1, false}}};
     for (const WorldEntry &world : all_worlds())
-        all.push_back({world.name, {world.name, objects_of(world), world.group == Group::limit ? 1u : 3u}});
+        all.push_back({world.name, {world.name, objects_of(world.name), world.group == Group::limit ? 1u : 3u}});
     return all;
 }
 

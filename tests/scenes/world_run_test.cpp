@@ -6,39 +6,27 @@ namespace ode_predictive_space::worlds
 {
 namespace
 {
-class WorldRunTest : public testing::Test
+TEST(WorldRunTest, FindsTheFirstTickInWhichRunsDiffer)
 {
-protected:
-    OdeSession ode_;
-    WorldFactory factory_{{"gas", 80, 1}};
-};
-
-TEST_F(WorldRunTest, FindsTheFirstTickInWhichRunsDiffer)
-{
-    WorldRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, factory_);
+    const OdeSession ode;
+    WorldRuns runs = make_runs({SpaceKind::simple, SpaceKind::hash}, WorldFactory({"gas", 80, 1}));
     run_by_turns(runs, 150);
     EXPECT_EQ(first_difference(runs), -1);
 
-    WorldRuns different;
-    different.push_back(std::move(make_runs({SpaceKind::simple}, factory_).front()));
+    WorldRuns different = make_runs({SpaceKind::simple}, WorldFactory({"gas", 80, 1}));
     different.push_back(std::move(make_runs({SpaceKind::simple}, WorldFactory({"gas", 80, 2})).front()));
     run_by_turns(different, 150);
     EXPECT_EQ(first_difference(different), 0);
 }
 
-WorldRuns contact_runs(const std::vector<SpaceKind> &kinds, const WorldFactory &factory)
+TEST(WorldRunTest, PairsWithContactsAreTheSameInEveryMeasure)
 {
-    WorldRuns runs = make_runs(kinds, factory);
-    for (const auto &run : runs)
-        run->measure_contacts();
-    return runs;
-}
-
-TEST_F(WorldRunTest, PairsWithContactsAreTheSameInEveryMeasure)
-{
+    const OdeSession ode;
     const WorldFactory factory({"classes", 60, 1});
     const WorldRuns runs =
-        contact_runs({SpaceKind::predictive, SpaceKind::predictive_by_shapes, SpaceKind::hash}, factory);
+        make_runs({SpaceKind::predictive, SpaceKind::predictive_by_shapes, SpaceKind::hash}, factory);
+    for (const auto &run : runs)
+        run->measure_contacts();
     run_by_turns(runs, 20);
     for (const auto &run : runs)
     {
@@ -57,16 +45,6 @@ TEST_F(WorldRunTest, PairsWithContactsAreTheSameInEveryMeasure)
     }
     EXPECT_LT(runs[1]->measured().calls, runs[0]->measured().calls);
     EXPECT_EQ(runs[2]->measured().calls, runs[0]->measured().calls);
-}
-
-TEST_F(WorldRunTest, FindsTheFirstTickInWhichContactsDiffer)
-{
-    const WorldFactory factory({"mix", 60, 1});
-    WorldRuns runs = contact_runs({SpaceKind::predictive_by_shapes}, factory);
-    runs.push_back(std::move(make_runs({SpaceKind::simple}, WorldFactory({"mix", 60, 2})).front()));
-    runs.back()->measure_contacts();
-    run_by_turns(runs, 400);
-    EXPECT_GE(first_difference_of_contacts(runs), 0);
 }
 } // namespace
 } // namespace ode_predictive_space::worlds

@@ -1,10 +1,10 @@
 // All worlds: the same motion in every space, the pairs of brute force, and their common promises.
 
 #include "demos/runs/world_run.h"
+#include "tests/scenes/few_objects.h"
 #include "tests/support/overlap.h"
 
 #include <gtest/gtest.h>
-#include <map>
 
 namespace ode_predictive_space::worlds
 {
@@ -25,17 +25,6 @@ int ticks_of(const std::string &name)
     const std::map<Group, int> usual = {
         {Group::scene, 500}, {Group::stepped, 150}, {Group::program, ticks_of_life + 10}, {Group::limit, 50}};
     return usual.at(group_of(name));
-}
-
-int objects_of(const std::string &name)
-{
-    const std::map<std::string, int> few = {{"ragdolls", 3},     {"chain", 1}, {"city", 5},   {"nested", 6},
-                                            {"nested_empty", 8}, {"many", 17}, {"lidar", 40}, {"lidar_nested", 40},
-                                            {"hills", 250},      {"reset", 12}};
-    const auto found = few.find(name);
-    if (found != few.end())
-        return found->second;
-    return group_of(name) == Group::program ? 60 : group_of(name) == Group::limit ? 50 : 100;
 }
 
 WorldFactory factory_of(const std::string &name)

@@ -3,10 +3,10 @@
 #include "demos/runs/spaces.h"
 #include "tests/benchmarks/clock/agreement.h"
 #include "tests/benchmarks/clock/clocks.h"
-#include "tests/benchmarks/heap.h"
 
 #include <algorithm>
 #include <ctime>
+#include <malloc.h>
 #include <set>
 
 namespace ode_predictive_space::benchmarks
@@ -71,6 +71,12 @@ struct Costs
     std::uint64_t pairs = 0;
     std::uint64_t hash = 0; ///< hash of the pairs after the last tick
 };
+
+double heap_in_use()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
+}
 
 double processor_time()
 {
