@@ -138,20 +138,6 @@ TEST_F(HullData, ChangedDuringTheBoxTestIsReadAnew)
     EXPECT_EQ(pairs(), 1u);
 }
 
-TEST_F(HullData, ChangedInPlaceWithoutACallIsFoundByValidation)
-{
-    MeshArrays arrays(octahedron);
-    create_mesh(arrays);
-    for (const bool at_rest : {false, true})
-    {
-        EXPECT_EQ(at_rest ? pairs_at_rest() : pairs(), 0u);
-        arrays.move_corners({0.4, 0.4, 0});
-        const std::string said = ode_complaint([&] { EXPECT_EQ(dPredictiveSpaceValidate(space), 0); });
-        EXPECT_NE(said.find("with a contact"), std::string::npos) << at_rest << said;
-        arrays.move_corners({-0.4, -0.4, 0});
-    }
-}
-
 // The arrays stay the same.
 TEST_F(HullData, IsThatOfTheTrianglesWithWhichTheDataWereBuiltLast)
 {
