@@ -106,7 +106,7 @@ constexpr double near_enough = 0.8;
 
 // --- Limits. They bound answers, memory and the time of a tick, and are not for speed. ---
 
-/// Minimum reach of a forecast, in object sizes.
+/// Reach of a forecast, in object sizes.
 constexpr float forecast_reach = 9;
 /// Maximum number of times that its horizon is halved when paths bend. (a hand that goes away)
 constexpr int forecast_halvings = 4;

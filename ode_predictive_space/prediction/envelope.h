@@ -23,11 +23,6 @@ struct Envelope
     double radius = 0;
 
     Envelope advanced(double t) const { return {path.advanced(t), deviation.advanced(t), low, high, radius}; }
-
-    Box at(double t) const;
-
-    /// A box that contains at(t), rounding included, for every t from 0 to `duration` >= 0.
-    Box swept(double duration) const;
 };
 } // namespace ode_predictive_space
 

@@ -28,13 +28,8 @@ public:
         positions_[newest_] = position;
     }
 
-    void keep_recent(std::uint32_t now, std::int32_t ticks)
-    {
-        int recent = 0;
-        while (recent < count_ && static_cast<std::int32_t>(now - ticks_[nth_newest(recent)]) <= ticks)
-            ++recent;
-        count_ = recent;
-    }
+    /// @pre count() > 0.
+    void keep_newest() { count_ = 1; }
 
     int count() const { return count_; }
 

@@ -19,7 +19,6 @@ std::optional<double> first_root(double A, double B, double C);
 struct ProximityPolynomial
 {
     double A, B, C;
-    double at(double m) const { return (A * m + 2 * B) * m + C; }
 };
 
 /// P(m) of the bounding spheres, rounded down for m >= 0. @pre both radii are finite. @param error e, see sphere_chord_error().

@@ -29,7 +29,7 @@ void Track::append(std::uint32_t tick, const SampledPose &pose)
     rotations_[0] = pose.rotation;
     rounding_ = pose.rounding;
     if (!continues())
-        history_.keep_recent(tick, 0);
+        history_.keep_newest();
 }
 
 // NaN and infinity never continue a motion.

@@ -83,25 +83,5 @@ TEST_F(GapBudgets, PayForDataThatChangeAgainAndAgain)
     budget.note_hull(mesh, 2, 1000);
     EXPECT_FALSE(budget.allows_check(mesh));
 }
-
-TEST_F(GapBudgets, DoNotGrowWithPairsThatComeAndGo)
-{
-    check_in_vain(500, 1.2f);
-    const float before = check_in_vain(500, 1.2f);
-    for (int report = 0; report < 500; ++report)
-    {
-        budget.begin_report();
-        budget.note_new_pair(mesh);
-    }
-    EXPECT_LT(check_in_vain(500, 1.2f), 1.1f * before + 2.4f);
-}
-
-TEST_F(GapBudgets, EndWithTheObject)
-{
-    budget.note_check(mesh, 1e4f);
-    budget.close(mesh);
-    budget.note_new_pair(mesh);
-    EXPECT_TRUE(budget.allows_check(mesh));
-}
 } // namespace
 } // namespace ode_predictive_space

@@ -201,9 +201,6 @@ def predict_faults():
         "place.watches_centre())", "place.watches_centre() && id % 2 == 0)",
         (("broadphase", "*AnyWorld*"),))
     yield Fault(
-        "turning_point_left_out", "predict", SOURCES + "prediction/envelope.cpp",
-        "if (turn > 0 && turn < duration)", "if (turn > duration)", (("prediction", "Envelope.*"),))
-    yield Fault(
         "step_from_one_object", "predict", SOURCES + "prediction/step_estimate.cpp",
         "step_ = sorted[count_ / 2];", "step_ = sample;", (("prediction", "StepEstimate.*"),))
     yield Fault(

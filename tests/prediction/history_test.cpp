@@ -52,19 +52,3 @@ TEST(History, second_position_in_a_tick_replaces_the_first)
     EXPECT_EQ(full.count(), int{History::capacity});
     expect_same(full.fit().path, known);
 }
-
-TEST(History, forgets_what_is_not_recent)
-{
-    History history;
-    history.add(10, Vector3(50, 0, 0));
-    history.add(18, Vector3(1, 0, 0));
-    history.add(20, Vector3(3, 0, 0));
-    history.keep_recent(21, 3);
-    EXPECT_EQ(history.count(), 2);
-    expect_same(history.fit().path, {Vector3(3, 0, 0), Vector3(1, 0, 0), Vector3::Zero()});
-    history.keep_recent(100, 3);
-    EXPECT_EQ(history.count(), 0);
-    history.add(100, Vector3(7, 0, 0));
-    EXPECT_EQ(history.count(), 1);
-    expect_same(history.fit().path, {Vector3(7, 0, 0), Vector3::Zero(), Vector3::Zero()});
-}

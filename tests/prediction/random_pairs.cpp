@@ -1,29 +1,9 @@
 #include "tests/prediction/random_pairs.h"
 
-#include <array>
 #include <cmath>
 
 namespace ode_predictive_space
 {
-const char *name(PairKind kind)
-{
-    static const std::array<const char *, pair_kinds> names = {"still",
-                                                               "slow",
-                                                               "fast",
-                                                               "head-on",
-                                                               "grazing",
-                                                               "corner",
-                                                               "braking",
-                                                               "free fall",
-                                                               "curved",
-                                                               "big and small",
-                                                               "far from origin",
-                                                               "growing faster than moving",
-                                                               "growing as moving",
-                                                               "tangential"};
-    return names[static_cast<int>(kind)];
-}
-
 // The relative motion at a time in the horizon or a little outside; the paths are made from it.
 struct RandomPairs::Encounter
 {

@@ -29,8 +29,6 @@ enum class PairKind
 };
 constexpr int pair_kinds = 14;
 
-const char *name(PairKind kind);
-
 struct EnvelopePair
 {
     Envelope first;
@@ -45,11 +43,10 @@ public:
 
     EnvelopePair make(PairKind kind);
 
-    double uniform(double low, double high);
-
 private:
     struct Encounter;
 
+    double uniform(double low, double high);
     double log_uniform(double low, double high);
     double nearly_one();
     double sign() { return uniform(-1, 1) < 0 ? -1 : 1; }

@@ -15,7 +15,6 @@
 #include "ode_predictive_space/space/geom_shape.h"
 #include "tests/contract/support/ode_test.h"
 #include "tests/shape/hills_geom.h"
-#include "tests/shape/made_shape.h"
 #include "tests/shape/polyhedron_geom.h"
 #include "tests/support/effort.h"
 
@@ -28,6 +27,15 @@ constexpr bool is_long = true;
 #else
 constexpr bool is_long = false;
 #endif
+
+ConvexShape made_shape(dGeomID geom)
+{
+    HullStore hulls;
+    std::size_t steps = HullMaker::all_steps;
+    ConvexShape shape;
+    follow_geom(0, geom, hulls, steps, shape);
+    return shape;
+}
 
 class ShapeColliders : public OdeTest
 {
@@ -78,22 +86,12 @@ protected:
     // Rough ground or a bowl, of many triangles that are up to a hundred times as long as wide.
     dGeomID create_ground(double size)
     {
-        constexpr unsigned side = 6, row = side + 1;
         const double narrow = log_between(1e-2, 1);
         const bool is_bowl = one_in(2);
-        Polyhedron ground;
-        for (unsigned i = 0; i < row * row; ++i)
-        {
-            const double x = 2.0 * (i % row) / side - 1, y = 2.0 * (i / row) / side - 1;
-            ground.corners.emplace_back(size * x, size * narrow * y,
-                                        size * (is_bowl ? x * x + y * y : between(0, 0.2)));
-        }
-        for (unsigned i = 0; i < row * side; ++i)
-            if (i % row < side)
-            {
-                ground.faces.push_back({i, i + 1, i + row});
-                ground.faces.push_back({i + 1, i + row + 1, i + row});
-            }
+        const Polyhedron ground = Polyhedron::sheet(6, 6, [&](double u, double v) {
+            const double x = 2 * u - 1, y = 2 * v - 1;
+            return Vector3(size * x, size * narrow * y, size * (is_bowl ? x * x + y * y : between(0, 0.2)));
+        });
         meshes_.emplace_back(ground, one_in(2));
         return dCreateTriMesh(nullptr, meshes_.back().id(), nullptr, nullptr, nullptr);
     }

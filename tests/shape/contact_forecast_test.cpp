@@ -80,11 +80,8 @@ TEST(ContactForecast, WhatMayTurnReachesAsFarAsItsSphere)
 // Two triangles, 10 apart, as one mesh: the room between them is within its hull. The floor's normal points up.
 struct Room
 {
-    explicit Room(const Vector3 &up)
+    Room()
     {
-        const Eigen::Matrix3d turned = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), up).toRotationMatrix();
-        for (Vector3 &point : points)
-            point = turned * point;
         const auto tree = std::make_shared<TriangleTree>(
             TriangleArrays{points.data(), sizeof(Vector3), 6, triangles.data(), 2, sizeof triangles[0], false});
         tree->build(1000);
@@ -92,14 +89,14 @@ struct Room
         mesh.group = mesh.partners = 1;
     }
 
-    std::vector<Vector3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-9, -9, 10}, {9, -9, 10}, {0, 9, 10}};
+    const std::vector<Vector3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-9, -9, 10}, {9, -9, 10}, {0, 9, 10}};
     const std::vector<TriangleArrays::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
     ConvexShape mesh;
 };
 
 TEST(ContactForecast, WithinTheHullOfAMeshIsThatOfItsTriangles)
 {
-    const Room of_two(Vector3::UnitZ());
+    const Room of_two;
     const ConvexShape &mesh = of_two.mesh;
     ConvexShape inside = ball({0, -2, 4});
     const PredictedShape room{mesh, going(mesh, Vector3::Zero()), true, true};
@@ -125,7 +122,7 @@ TEST(ContactForecast, WithinTheHullOfAMeshIsThatOfItsTriangles)
 
 TEST(ContactForecast, WithinTheHullOfAMeshWhatMayTurnReachesAsFarAsItsSphere)
 {
-    const Room of_two(Vector3::UnitZ());
+    const Room of_two;
     ConvexShape stick = ball({0, -2, 5});
     stick.half_sides = {1, 0, 0};
     const PredictedShape room{of_two.mesh, going(of_two.mesh, Vector3::Zero()), true, true};
@@ -135,22 +132,6 @@ TEST(ContactForecast, WithinTheHullOfAMeshWhatMayTurnReachesAsFarAsItsSphere)
     EXPECT_NEAR(time_of_contact(room, falls, 0, for_long).value(), foretold - 10, 1e-6) << "2 - 1, at 0.1";
     falls.about_centre = false;
     EXPECT_EQ(time_of_contact(room, falls, 0, for_long), 1) << "it may turn about any point";
-}
-
-// A ball leaves its path along all three axes at once, as far as its deviation allows, and meets the floor after ten ticks.
-TEST(ContactForecast, WithinTheHullOfAMeshDeviationsAreThoseOfEachCoordinateAlongADiagonal)
-{
-    const Vector3 diagonal = Vector3::Constant(1 / std::sqrt(3));
-    const Room of_two(diagonal);
-    const PredictedShape room{of_two.mesh, going(of_two.mesh, Vector3::Zero()), true, true};
-    const ConvexShape inside = ball(4 * diagonal), met = ball(0.999 * diagonal);
-    PredictedShape falls{inside, going(inside, Vector3::Zero()), false, true};
-    falls.envelope.deviation = {0, 0.3 / std::sqrt(3), 0};
-    EXPECT_EQ(time_of_contact(room, {met, going(met, Vector3::Zero()), false, true}, 0, for_long), 0) << "the floor";
-    const std::optional<double> forecast = time_of_contact(room, falls, 0, for_long);
-    ASSERT_TRUE(forecast);
-    EXPECT_LE(*forecast, 10);
-    EXPECT_GT(*forecast, 5) << "a gap is only bounded";
 }
 } // namespace
 } // namespace ode_predictive_space

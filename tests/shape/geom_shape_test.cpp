@@ -10,20 +10,6 @@ namespace ode_predictive_space
 {
 namespace
 {
-class FollowedGeom : public OdeTest
-{
-protected:
-    double moved(dGeomID geom, std::size_t steps = HullMaker::all_steps)
-    {
-        return follow_geom(0, geom, hulls_, steps, shape_);
-    }
-
-    bool has_hull(dGeomID geom, std::size_t steps) { return !hulls_.hull_of(0, geom, steps).is_being_made; }
-
-    HullStore hulls_;
-    ConvexShape shape_;
-};
-
 Polyhedron row_of_triangles(unsigned count)
 {
     Polyhedron row;
@@ -36,14 +22,20 @@ Polyhedron row_of_triangles(unsigned count)
     return row;
 }
 
-class SlicedHull : public FollowedGeom
+class SlicedHull : public OdeTest
 {
 protected:
     ~SlicedHull() override { dGeomDestroy(geom_); }
 
+    void follow(dGeomID geom, std::size_t steps) { follow_geom(0, geom, hulls_, steps, shape_); }
+
+    bool has_hull(dGeomID geom, std::size_t steps) { return !hulls_.hull_of(0, geom, steps).is_being_made; }
+
     static constexpr unsigned triangles = 2000;
     static constexpr std::size_t slice = 500;
 
+    HullStore hulls_;
+    ConvexShape shape_;
     MeshArrays mesh_{row_of_triangles(triangles)};
     const dGeomID geom_ = dCreateTriMesh(nullptr, mesh_.id(), nullptr, nullptr, nullptr);
 };
@@ -54,7 +46,7 @@ TEST_F(SlicedHull, BeginsAgainWithOtherData)
         EXPECT_FALSE(has_hull(geom_, slice));
     mesh_.rebuild(Polyhedron::cube());
     EXPECT_TRUE(has_hull(geom_, slice));
-    moved(geom_, 0);
+    follow(geom_, 0);
     EXPECT_EQ(shape_.half_sides, Vector3(1, 1, 1));
 }
 
@@ -66,7 +58,7 @@ TEST_F(SlicedHull, BeginsAgainWhenItsDataAreChanged)
     hulls_.outdate(geom_);
     while (!has_hull(geom_, slice))
     {}
-    moved(geom_, 0);
+    follow(geom_, 0);
     EXPECT_GT(shape_.centre.z(), 4.9) << "no point is as it was";
     EXPECT_LT(shape_.half_sides.z(), 0.2);
 }
@@ -77,7 +69,7 @@ TEST_F(SlicedHull, OfDataThatCannotBeReadIsNotReadAgain)
     wrong.corners[1].x() = 1e200;
     const MeshArrays too_far(wrong);
     const dGeomID geom = dCreateTriMesh(nullptr, too_far.id(), nullptr, nullptr, nullptr);
-    moved(geom);
+    follow(geom, HullMaker::all_steps);
     EXPECT_FALSE(shape_.known());
     EXPECT_FALSE(shape_.awaits_hull);
     std::size_t steps = slice;

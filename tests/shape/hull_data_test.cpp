@@ -230,17 +230,10 @@ TEST_F(HullData, ChangedInPlaceIsNoticedByTheSpacesAround)
 // The sheet is not flat in its own axes, either.
 TEST_F(HullData, OfVeryManyPointsIsTheBoxOfItsOwnAxes)
 {
-    constexpr unsigned side = 150;
-    Polyhedron sheet;
-    for (unsigned i = 0; i < side; ++i)
-        for (unsigned j = 0; j < side; ++j)
-        {
-            const double x = 2.0 * i / (side - 1) - 1, y = 2.0 * j / (side - 1) - 1;
-            sheet.corners.emplace_back(x, y, 0.1 * x * y);
-            if (i + 1 < side && j + 1 < side)
-                sheet.faces.push_back({i * side + j, (i + 1) * side + j, (i + 1) * side + j + 1, i * side + j + 1});
-        }
-    MeshArrays arrays(sheet);
+    MeshArrays arrays(Polyhedron::sheet(149, 149, [](double u, double v) {
+        const double x = 2 * v - 1, y = 1 - 2 * u;
+        return Eigen::Vector3d(x, y, 0.1 * x * y);
+    }));
     const dGeomID mesh = create_mesh(arrays);
     dPredictiveSpacePrepare(space);
     dMatrix3 turned;

@@ -36,6 +36,23 @@ Polyhedron Polyhedron::square()
     return {{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, {{0, 1, 2, 3}}};
 }
 
+Polyhedron Polyhedron::sheet(unsigned columns, unsigned rows,
+                             const std::function<Eigen::Vector3d(double, double)> &point)
+{
+    Polyhedron sheet;
+    for (unsigned j = 0; j <= rows; ++j)
+        for (unsigned i = 0; i <= columns; ++i)
+        {
+            const auto here = static_cast<unsigned>(sheet.corners.size()), above = here + columns + 1;
+            sheet.corners.push_back(point(1.0 * i / columns, 1.0 * j / rows));
+            if (i == columns || j == rows)
+                continue;
+            sheet.faces.push_back({here, here + 1, above});
+            sheet.faces.push_back({here + 1, above + 1, above});
+        }
+    return sheet;
+}
+
 void Polyhedron::add(const Polyhedron &other)
 {
     const auto first = static_cast<unsigned>(corners.size());

@@ -1,6 +1,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SHAPE_POLYHEDRON_GEOM_H
 
+#include <functional>
 #include <vector>
 
 #include <ode/ode.h>
@@ -19,6 +20,9 @@ struct Polyhedron
     static Polyhedron octahedron();  ///< with a height of 2
     static Polyhedron tetrahedron(); ///< inside the cube
     static Polyhedron square();      ///< with sides of 2 and one face
+    /// Two triangles for each cell of a grid; its corners are at point(x, y), with x and y from 0 to 1.
+    static Polyhedron sheet(unsigned columns, unsigned rows,
+                            const std::function<Eigen::Vector3d(double, double)> &point);
 
     void add(const Polyhedron &other);
 

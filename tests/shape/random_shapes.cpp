@@ -23,16 +23,6 @@ std::vector<Vector3> points_of(const VertexHull &hull)
     return static_cast<const PointHull &>(hull).points;
 }
 
-void take_hull(const std::vector<Vector3> &points, ConvexShape &shape,
-               const std::shared_ptr<TriangleTree> &surface = nullptr)
-{
-    const auto hull = std::make_shared<PointHull>(points);
-    hull->surface = surface;
-    shape.hull = hull;
-    shape.half_sides = shape.hull->half_sides();
-    shape.size = 2 * shape.half_sides.minCoeff();
-}
-
 double log_between(ShapeMaker &maker, double low, double high)
 {
     return std::exp(maker.between(std::log(low), std::log(high)));
@@ -164,13 +154,17 @@ ConvexShape ShapeMaker::shape(SolidKind solid)
 
 ConvexShape hull_of(const std::vector<Vector3> &points, const std::shared_ptr<TriangleTree> &surface)
 {
+    const auto hull = std::make_shared<PointHull>(points);
+    hull->surface = surface;
     ConvexShape shape;
     shape.kind = ShapeKind::hull;
     shape.group = shape.partners = 1;
     for (std::size_t i = 0; i < 3; ++i)
         shape.axes[i] = Vector3::Unit(static_cast<Eigen::Index>(i));
-    take_hull(points, shape, surface);
-    shape.centre = shape.hull->centre();
+    shape.hull = hull;
+    shape.half_sides = hull->half_sides();
+    shape.size = 2 * shape.half_sides.minCoeff();
+    shape.centre = hull->centre();
     return shape;
 }
 
@@ -180,21 +174,6 @@ ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const V
     for (Vector3 &axis : result.axes)
         axis = (turn * axis).normalized();
     result.centre += by;
-    return result;
-}
-
-ConvexShape scaled(const ConvexShape &shape, double factor)
-{
-    ConvexShape result = shape;
-    result.half_sides *= factor;
-    result.radius *= factor;
-    if (shape.hull)
-    {
-        std::vector<Vector3> points = points_of(*shape.hull);
-        for (Vector3 &point : points)
-            point *= factor;
-        take_hull(points, result);
-    }
     return result;
 }
 

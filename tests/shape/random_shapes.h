@@ -53,8 +53,6 @@ ConvexShape hull_of(const std::vector<Vector3> &points, const std::shared_ptr<Tr
 
 ConvexShape moved(const ConvexShape &shape, const Eigen::Matrix3d &turn, const Vector3 &by);
 
-ConvexShape scaled(const ConvexShape &shape, double factor);
-
 /// A distance between two points of the shapes: never less than the distance of the shapes, and close to it after many steps.
 double distance_from_above(const ConvexShape &first, const ConvexShape &second, int steps);
 } // namespace ode_predictive_space

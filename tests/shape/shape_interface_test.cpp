@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -130,11 +129,8 @@ TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
         row.push_back(dCreateBox(space, 4, 1, 1));
         dGeomSetPosition(row.back(), dReal(3.9) * i, 0, 0);
     }
-    const float corners[] = {-1, -1, -1, 1, -1, -1, 0, 1, -1, 0, 0, 1};
-    const dTriIndex sides[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
-    const dTriMeshDataID data = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildSingle(data, corners, 3 * sizeof(float), 4, sides, 12, 3 * sizeof(dTriIndex));
-    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr); // it is always tested
+    const MeshArrays tetrahedron(Polyhedron::tetrahedron());
+    const dGeomID mesh = dCreateTriMesh(space, tetrahedron.id(), nullptr, nullptr, nullptr); // it is always tested
     dGeomSetPosition(mesh, 0, -50, 0);
     row.push_back(ball(0, -51));
     for (int i = 0; i < 4; ++i)
@@ -165,7 +161,6 @@ TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
         }
     }
     dGeomDestroy(mesh);
-    dGeomTriMeshDataDestroy(data);
 }
 
 TEST_F(ShapeProximity, ReportsAPairThatComesWithinTheMarginAtThatTick)
@@ -358,24 +353,16 @@ TEST_F(ShapeProximity, OfPlacesThatAreNotNumbersIsThatOfBoxes)
 
 TEST_F(ShapeProximity, NoticesOtherDataOfAMeshAlsoAfterTheSpaceWasCleaned)
 {
-    double corners[4][4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    const dTriMeshDataID data = dGeomTriMeshDataCreate();
-    const auto build = [&] {
-        dGeomTriMeshDataBuildDouble(data, corners, sizeof corners[0], 4, triangles, 12, 3 * sizeof(dTriIndex));
-    };
-    build();
-    const dGeomID mesh = dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
+    MeshArrays corner({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    const dGeomID mesh = dCreateTriMesh(space, corner.id(), nullptr, nullptr, nullptr);
     dGeomSetPosition(dCreateSphere(space, REAL(0.1)), REAL(0.85), REAL(0.85), REAL(0.85));
     for (int tick = 0; tick < 5; ++tick)
         EXPECT_EQ(pairs(), 0u);
-    std::fill_n(corners[0], 3, 0.9);
-    build();
-    dGeomTriMeshSetData(mesh, data);
+    corner.move_corners({0.55, 0.55, 0.55}); // its slanted face meets the ball
+    dGeomTriMeshSetData(mesh, corner.id());
     dSpaceClean(space);
     EXPECT_EQ(pairs(), 1u);
     dGeomDestroy(mesh);
-    dGeomTriMeshDataDestroy(data);
 }
 
 // Far from the origin, each step is below single precision; the pair has come to rest before, or is new.
@@ -409,6 +396,5 @@ TEST_F(ShapeProximity, NoticesThatAGeomCreepsFarFromTheOrigin)
         }
     EXPECT_GT(contacts, 0);
 }
-
 } // namespace
 } // namespace ode_predictive_space

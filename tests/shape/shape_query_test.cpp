@@ -16,22 +16,11 @@ namespace
 // A sphere of some 40,000 triangles seen from inside: more than one query reads.
 Polyhedron dome(double radius)
 {
-    constexpr unsigned rings = 100, segments = 200;
-    Polyhedron dome;
-    for (unsigned ring = 0; ring <= rings; ++ring)
-        for (unsigned segment = 0; segment < segments; ++segment)
-        {
-            const double up = M_PI * (ring + 0.5) / (rings + 1), around = 2 * M_PI * segment / segments;
-            dome.corners.push_back(radius * Eigen::Vector3d(std::sin(up) * std::cos(around),
-                                                            std::sin(up) * std::sin(around), std::cos(up)));
-        }
-    for (unsigned ring = 0; ring < rings; ++ring)
-        for (unsigned segment = 0; segment < segments; ++segment)
-        {
-            const unsigned here = ring * segments + segment, next = ring * segments + (segment + 1) % segments;
-            dome.faces.push_back({here, next, next + segments, here + segments});
-        }
-    return dome;
+    return Polyhedron::sheet(200, 100, [radius](double u, double v) {
+        const double up = M_PI * (0.005 + 0.99 * v), around = 2 * M_PI * u;
+        const double across = radius * std::sin(up);
+        return Eigen::Vector3d(across * std::cos(around), across * std::sin(around), radius * std::cos(up));
+    });
 }
 
 class ShapeQuery : public OdeTest

@@ -3,6 +3,7 @@
 #include "tests/support/overlap.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace ode_predictive_space::soak
@@ -20,61 +21,41 @@ constexpr double largest_circle = 0.5; // metres
 constexpr double smallest_size = 0.02; // metres
 constexpr double largest_size = 0.2;   // metres
 
-/// Two geoms, in the order of their numbers.
-struct GeomPair
-{
-    IndexPair numbers;
-    dGeomID first, second;
-};
+using GeomPairs = std::map<IndexPair, std::pair<dGeomID, dGeomID>>;
 
-void add_if_near(dGeomID one, dGeomID other, std::vector<GeomPair> &pairs)
+void add_if_near(dGeomID one, dGeomID other, GeomPairs &pairs)
 {
-    if (!may_collide(one, other) || !boxes_overlap(one, other))
-    {
-        return;
-    }
     if (geom_index(other) < geom_index(one))
     {
         std::swap(one, other);
     }
-    pairs.push_back({{geom_index(one), geom_index(other)}, one, other});
-}
-
-std::string text_of(const char *what, const IndexPair &pair)
-{
-    std::ostringstream text;
-    text << what << ": " << pair.first << ", " << pair.second << '\n';
-    return text.str();
+    if (may_collide(one, other) && boxes_overlap(one, other))
+    {
+        pairs[{geom_index(one), geom_index(other)}] = {one, other};
+    }
 }
 
 /// The pairs that are in one list only, as text. With the shape test, an overlapping pair without contacts may be left out.
-std::string differences(std::vector<GeomPair> expected, const std::vector<IndexPair> &reported, bool by_shapes)
+std::string differences(const GeomPairs &expected, const std::vector<IndexPair> &reported, bool by_shapes)
 {
-    std::sort(expected.begin(), expected.end(),
-              [](const GeomPair &a, const GeomPair &b) { return a.numbers < b.numbers; });
-    std::string text;
-    auto next = reported.begin();
-    for (const GeomPair &pair : expected)
+    std::ostringstream text;
+    for (auto next = reported.begin(); next != reported.end(); ++next)
     {
-        for (; next != reported.end() && *next < pair.numbers; ++next)
+        if (expected.count(*next) == 0 || (next != reported.begin() && *next == *(next - 1)))
         {
-            text += text_of("not to be reported", *next);
+            text << "not to be reported: " << next->first << ", " << next->second << '\n';
         }
+    }
+    for (const auto &[pair, geoms] : expected)
+    {
         dContactGeom contact;
-        if (next != reported.end() && *next == pair.numbers)
+        if (!std::binary_search(reported.begin(), reported.end(), pair) &&
+            (!by_shapes || dCollide(geoms.first, geoms.second, 1, &contact, sizeof contact) > 0))
         {
-            ++next;
-        }
-        else if (!by_shapes || dCollide(pair.first, pair.second, 1, &contact, sizeof contact) > 0)
-        {
-            text += text_of("missing", pair.numbers);
+            text << "missing: " << pair.first << ", " << pair.second << '\n';
         }
     }
-    for (; next != reported.end(); ++next)
-    {
-        text += text_of("not to be reported", *next);
-    }
-    return text;
+    return text.str();
 }
 } // namespace
 
@@ -290,7 +271,7 @@ std::vector<dGeomID> ChurnedScene::geoms_inside() const
 std::string ChurnedScene::wrong_pairs() const
 {
     const std::vector<dGeomID> geoms = geoms_inside();
-    std::vector<GeomPair> pairs, answers;
+    GeomPairs pairs, answers;
     for (std::size_t i = 0; i < geoms.size(); ++i)
     {
         for (std::size_t j = 0; j < i; ++j)

@@ -183,15 +183,6 @@ void expect_same_work(const Quarters &quarters)
     expect_same_work("near, not reported", quarters[1].unreported, quarters[3].unreported);
 }
 
-void record(const Quarters &quarters)
-{
-    const Memory early = quarters[1].most, late = quarters[3].most;
-    ::testing::Test::RecordProperty("allocated_in_second_quarter", std::to_string(early.allocated));
-    ::testing::Test::RecordProperty("allocated_in_last_quarter", std::to_string(late.allocated));
-    ::testing::Test::RecordProperty("resident_in_second_quarter", std::to_string(early.resident));
-    ::testing::Test::RecordProperty("resident_in_last_quarter", std::to_string(late.resident));
-}
-
 TEST_P(Soak, PairsAreRightAndNothingGrows)
 {
     const Quarters quarters = run();
@@ -199,7 +190,6 @@ TEST_P(Soak, PairsAreRightAndNothingGrows)
     {
         return;
     }
-    record(quarters);
     expect_flat_memory(quarters);
     expect_same_work(quarters);
 }

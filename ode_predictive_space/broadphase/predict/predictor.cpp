@@ -449,7 +449,7 @@ void Predictor::follow(const Track &track, const ProxyRecord &record, Forecast &
     envelope.path.velocity = finite_or_zero(path.velocity);
     envelope.path.acceleration = finite_or_zero(path.acceleration);
     const double speed = envelope.path.velocity.norm(), bend = envelope.path.acceleration.norm();
-    const float distance = std::max(record.reach, tuning::forecast_reach) * record.size;
+    const float distance = tuning::forecast_reach * record.size;
     const float ticks = ticks_for(distance, static_cast<float>(speed), static_cast<float>(bend));
     forecast.ticks = ticks;
     const float travel = speed + bend > 0 ? distance : 0;
