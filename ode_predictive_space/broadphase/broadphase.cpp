@@ -314,6 +314,7 @@ ProxyId Broadphase::add()
 void Broadphase::remove(ProxyId id)
 {
     listing_.listed.erase(id);
+    listing_.requested.erase(id);
     pairing_.waiting.erase(id);
     idle_.erase(id);
     shapes_.forget(id);
