@@ -17,27 +17,21 @@ int raw_status(const std::string &command)
     return std::system(("ulimit -c 0; exec " + command + " >/dev/null 2>&1").c_str());
 }
 
-/// A program under the launcher that waits for signals. An alarm ends a test that hangs.
+/// A program that waits for signals, under the launcher in a terminal. An alarm ends a test that hangs.
 class Waiting
 {
 public:
-    enum class Output
-    {
-        pipe,
-        terminal
-    };
-
-    explicit Waiting(const std::string &report, Output output = Output::pipe)
+    explicit Waiting(const std::string &report)
     {
         alarm(300);
         allow_preload();
-        launcher_ = output == Output::terminal ? forkpty(&output_, nullptr, nullptr, nullptr) : fork_with_pipe();
+        launcher_ = forkpty(&output_, nullptr, nullptr, nullptr);
         if (launcher_ == 0)
         {
             execl(LAUNCHER, LAUNCHER, "--report", report.c_str(), ENDING, "wait", nullptr);
             _exit(126);
         }
-        program_ = std::atoi(line().c_str());
+        line(); // the program has begun to wait
     }
 
     ~Waiting()
@@ -50,9 +44,6 @@ public:
 
     Waiting(const Waiting &) = delete;
     Waiting &operator=(const Waiting &) = delete;
-
-    pid_t launcher() const { return launcher_; }
-    pid_t program() const { return program_; }
 
     /// The next line of the program; empty when it has ended. A terminal shows ^C and uses other line ends.
     std::string line()
@@ -76,22 +67,8 @@ public:
     }
 
 private:
-    pid_t fork_with_pipe()
-    {
-        int ends[2];
-        EXPECT_EQ(pipe(ends), 0);
-        const pid_t child = fork();
-        if (child == 0)
-            dup2(ends[1], STDOUT_FILENO);
-        if (child == 0)
-            close(ends[0]);
-        close(ends[1]);
-        output_ = ends[0];
-        return child;
-    }
-
     int output_ = -1;
-    pid_t launcher_ = -1, program_ = -1;
+    pid_t launcher_ = -1;
 };
 
 struct EndOfAProgram : testing::TestWithParam<const char *>
@@ -128,34 +105,13 @@ TEST_P(EndOfAProgram, LeavesAPageWithPlots)
     EXPECT_TRUE(contains(page.str(), "<title>ode-predictive run " + program + "</title>")) << page.str();
 }
 
-// Once, exit() in a child, which has its parent's memory, reported the parent's counts.
-TEST(EndOfAChild, IsToldOfItsOwnCollidesAlone)
-{
-    const ScratchFile statistics;
-    EXPECT_EQ(raw_status(LAUNCHER " --stats=" + statistics.path() + " " ENDING " child exit"), 0);
-    const std::string said = statistics.text();
-    EXPECT_EQ(count_of("(process ", said), 2) << said;
-    EXPECT_EQ(count_of("1 pairs; dSpaceCollide 1 calls", said), 1) << said;
-    EXPECT_EQ(count_of("3 pairs; dSpaceCollide 3 calls", said), 1) << said;
-}
-
-TEST(LauncherThatWaits, PassesASignalOn)
+// A terminal sends ^C to both. The launcher is stopped meanwhile, as two signals at the same time would count as one.
+TEST(LauncherThatWaits, PassesASignalOnAndLeavesControlCToTheProgram)
 {
     const ScratchFolder report;
     Waiting waiting(report.path());
     waiting.signal(SIGUSR1);
     EXPECT_EQ(waiting.line(), "counted");
-    waiting.signal(SIGTERM);
-    const int status = waiting.wait();
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 1);
-}
-
-// The terminal sends the signal to both. The launcher is stopped meanwhile, as two signals at the same time would count as one.
-TEST(LauncherThatWaits, LeavesControlCToTheProgram)
-{
-    const ScratchFolder report;
-    Waiting waiting(report.path(), Waiting::Output::terminal);
     waiting.signal(SIGSTOP);
     EXPECT_TRUE(WIFSTOPPED(waiting.wait(WUNTRACED)));
     waiting.press('\003');
@@ -164,7 +120,7 @@ TEST(LauncherThatWaits, LeavesControlCToTheProgram)
     waiting.signal(SIGTERM);
     const int status = waiting.wait();
     ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 1); // one signal was counted
+    EXPECT_EQ(WEXITSTATUS(status), 2) << "each was counted once";
 }
 
 // The output of a program whose parent ignored SIGCHLD, which is inherited.
@@ -240,13 +196,6 @@ TEST(Statistics, AreBoundedAndCompleteForAnyNumberOfSpaces)
                        "dSpaceCollide 101 calls",
                        said),
               1);
-}
-
-TEST(Statistics, NeedNoLauncher)
-{
-    const Outcome outcome =
-        run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD " ODE_PREDICTIVE_STATS=1 " ENDING);
-    EXPECT_TRUE(contains(outcome.output, "dSpaceCollide 3 calls")) << outcome.output;
 }
 } // namespace
 } // namespace ode_predictive_space::preload

@@ -22,12 +22,10 @@ inline Outcome launch(const std::string &arguments)
     return run(LAUNCHER, arguments);
 }
 
-inline int count_of(const std::string &part, const std::string &text)
+/// The command of env(1), with the preload but without the launcher.
+inline Outcome run_preloaded(const std::string &command)
 {
-    int count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
-        ++count;
-    return count;
+    return run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD " " + command);
 }
 } // namespace ode_predictive_space::preload
 

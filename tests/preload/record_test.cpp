@@ -106,7 +106,7 @@ TEST(Record, AChildThatIsForkedLeavesTheRecordingToItsParent)
 TEST(Record, AProcessThatBecomesAnotherProgramHasAFurtherFile)
 {
     const RecordingFolder folder;
-    const Outcome outcome = launch("--record " + folder.file() + " sh -c '" LINKED "; " BECOMING "'");
+    const Outcome outcome = launch("--record " + folder.file() + " sh -c '" LINKED "; " ENDING " become'");
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_EQ(folder.files(), 3) << outcome.output;
 }
@@ -124,23 +124,6 @@ TEST(Record, ASecondLauncherLeavesTheRecordingOfTheFirstAlone)
     EXPECT_EQ(count_of("another program is recording to " + folder.file(), busy.output), 1) << busy.output;
     close(file);
     EXPECT_EQ(launch(record + LINKED).status, 0);
-}
-
-TEST(Record, AReportSaysWhereARecordingIsCut)
-{
-    const RecordingFolder folder;
-    launch("--report " + folder.file() + " " ENDING " crash");
-    std::ostringstream page;
-    page << std::ifstream(folder.file() + "/index.html").rdbuf();
-    EXPECT_TRUE(contains(page.str(), "<p>The recording is cut at event ")) << page.str();
-}
-
-TEST(Record, WhatCannotBeWrittenIsSaid)
-{
-    const Outcome outcome = run("env", "ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=" PRELOAD
-                                       " ODE_PREDICTIVE_RECORD=/nonexistent/file " LINKED);
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(count_of("/nonexistent/file cannot be written", outcome.output), 1) << outcome.output;
 }
 } // namespace
 } // namespace ode_predictive_space::preload

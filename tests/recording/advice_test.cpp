@@ -28,9 +28,10 @@ Findings found(double own, double box, double shape, double spared = 0)
     return findings;
 }
 
-bool says(const Findings &findings, const std::string &text)
+testing::AssertionResult says(const Findings &findings, const std::string &text)
 {
-    return sentence_for(findings).find(text) != std::string::npos;
+    const std::string sentence = sentence_for(findings);
+    return testing::AssertionResult(sentence.find(text) != std::string::npos) << sentence;
 }
 
 TEST(Advice, IsAboutTheTick)
@@ -55,7 +56,7 @@ TEST(Advice, IsNotGivenWhereReplaysDifferTooMuch)
     Findings findings = found(400, 40, 45);
     findings.spaces[0].costs = {400, 200, 400, 600, 400};
     EXPECT_EQ(advice_for(findings), Advice::unknown);
-    EXPECT_TRUE(says(findings, "Measure again on an idle machine")) << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "Measure again on an idle machine"));
 }
 
 TEST(Advice, IsNotGivenFromAFewCollides)
@@ -71,29 +72,24 @@ TEST(Advice, IsNotGivenWithoutTheTimesOfTheProgram)
     Findings findings = found(400, 40, 45);
     findings.tick.reset();
     EXPECT_EQ(advice_for(findings), Advice::unknown);
-    EXPECT_TRUE(says(findings, "What a tick would gain is not known")) << sentence_for(findings);
-    EXPECT_TRUE(says(findings, "400 \xc2\xb5s in hash, 40 \xc2\xb5s in box, 45 \xc2\xb5s in shape."))
-        << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "What a tick would gain is not known"));
+    EXPECT_TRUE(says(findings, "400 \xc2\xb5s in hash, 40 \xc2\xb5s in box, 45 \xc2\xb5s in shape."));
 }
 
 TEST(Advice, SaysWhatToDoAndWhatItRestsOn)
 {
     Findings findings = found(400, 40, 45);
-    EXPECT_TRUE(says(findings, "Use predictive spaces: a tick would be 26 % shorter (five replays differ by 0."))
-        << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "Use predictive spaces: a tick would be 26 % shorter (five replays differ by 0."));
     EXPECT_TRUE(says(findings,
                      "Write dPredictiveSpaceCreate(parent) for dHashSpaceCreate(parent), or start the program by "
-                     "ode-predictive run. For the recording"))
-        << sentence_for(findings);
+                     "ode-predictive run. For the recording"));
     EXPECT_TRUE(says(findings,
                      "in predictive spaces: a tick took 1000 \xc2\xb5s, 4.0 % of it in collides, 20 % in callbacks."));
-    EXPECT_TRUE(says(found(400, 40, 45, 100), "Use predictive spaces by shape: "))
-        << sentence_for(found(400, 40, 45, 100));
+    EXPECT_TRUE(says(found(400, 40, 45, 100), "Use predictive spaces by shape: "));
     EXPECT_TRUE(
         says(found(400, 40, 45, 100), "and call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape)"));
     EXPECT_TRUE(says(found(400, 40, 45, 100), "ode-predictive run --proximity shape."));
-    EXPECT_TRUE(says(found(10, 40, 50), "Keep the program's spaces: in predictive ones a tick would be 3.1 % longer"))
-        << sentence_for(found(10, 40, 50));
+    EXPECT_TRUE(says(found(10, 40, 50), "Keep the program's spaces: in predictive ones a tick would be 3.1 % longer"));
 }
 
 TEST(Advice, SimpleSpacesAreReplacedOnlyOnRequest)
@@ -101,8 +97,7 @@ TEST(Advice, SimpleSpacesAreReplacedOnlyOnRequest)
     Findings findings = found(400, 40, 45);
     findings.own = findings.spaces[0].kind = SpaceKind::simple;
     EXPECT_TRUE(
-        says(findings, "for dSimpleSpaceCreate(parent), or start the program by ode-predictive run --space all."))
-        << sentence_for(findings);
+        says(findings, "for dSimpleSpaceCreate(parent), or start the program by ode-predictive run --space all."));
 }
 
 TEST(Advice, NamesTheBestOfOdesOwnSpaces)
@@ -113,8 +108,7 @@ TEST(Advice, NamesTheBestOfOdesOwnSpaces)
     findings.spaces.push_back({SpaceKind::quadtree, about(200)});
     findings.spaces.push_back({SpaceKind::simple, {}}); // this space ends the program
     EXPECT_TRUE(
-        says(findings, "With the best of ODE's other spaces, sap, a tick would be 19 % shorter than with its own."))
-        << sentence_for(findings);
+        says(findings, "With the best of ODE's other spaces, sap, a tick would be 19 % shorter than with its own."));
 }
 
 TEST(Advice, KnowsThatTheProgramHasItAlready)
@@ -122,14 +116,12 @@ TEST(Advice, KnowsThatTheProgramHasItAlready)
     Findings findings = found(400, 40, 45);
     findings.own = SpaceKind::box;
     EXPECT_EQ(advice_for(findings), Advice::leave);
-    EXPECT_TRUE(says(findings, "Keep the program's spaces: they are predictive, by box. ")) << sentence_for(findings);
-    EXPECT_TRUE(says(findings, "With the best of ODE's spaces, hash, a tick would be 36 % longer than with its own."))
-        << sentence_for(findings);
+    EXPECT_TRUE(says(findings, "Keep the program's spaces: they are predictive, by box. "));
+    EXPECT_TRUE(says(findings, "With the best of ODE's spaces, hash, a tick would be 36 % longer than with its own."));
     findings.spaces[2].spared = 100;
     EXPECT_EQ(advice_for(findings), Advice::use_by_shape);
     EXPECT_TRUE(
-        says(findings, ". Call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape). For the recording"))
-        << sentence_for(findings);
+        says(findings, ". Call dPredictiveSpaceSetProximity(space, dPredictiveProximityShape). For the recording"));
 }
 
 TEST(Instructions, AreReadFromWhatCallgrindWrites)

@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <ode/ode.h>
@@ -81,50 +80,44 @@ std::vector<std::vector<int>> notices_in_replay(const Recording &recording)
 
 TEST_F(RecorderTest, AGeomMayMoveMoreOftenThanAReplayRepeats)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const std::vector<dGeomID> geoms = balls_in(space);
+    const std::vector<dGeomID> geoms = balls_in(space_);
     Recorded recorded;
-    recorded.collide(space);
+    recorded.collide(space_);
     for (int i = 0; i < 3000; ++i)
         dGeomSetPosition(geoms[0], dReal(i) / 1000, 1, 0);
-    recorded.collide(space);
+    recorded.collide(space_);
     expect_pairs_agree(recorded.end());
-    dSpaceDestroy(space);
 }
 
 // The notices of its first stay are no notices of its second.
 TEST_F(RecorderTest, AGeomThatMovedLeftAndCameBackHasNoNotices)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const dGeomID ball = balls_in(space).front();
+    const dGeomID ball = balls_in(space_).front();
     Recorded recorded;
-    recorded.collide(space);
+    recorded.collide(space_);
     dGeomSetPosition(ball, 0, 1, 0);
-    dSpaceRemove(space, ball);
-    recorded.collide(space);
-    dSpaceAdd(space, ball);
-    recorded.collide(space);
+    dSpaceRemove(space_, ball);
+    recorded.collide(space_);
+    dSpaceAdd(space_, ball);
+    recorded.collide(space_);
     const Recording recording = recorded.end();
     for (const Record &record : recording.records())
         EXPECT_NE(record.kind, RecordKind::notices);
-    dSpaceDestroy(space);
 }
 
 // Like an engine with its own world, the program sets all poses in each tick, though few change.
 TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
 {
-    const dWorldID world = dWorldCreate();
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    std::vector<dGeomID> geoms = balls_in(space);
-    const dBodyID body = dBodyCreate(world);
+    std::vector<dGeomID> geoms = balls_in(space_);
+    const dBodyID body = dBodyCreate(world_);
     for (const std::size_t i : {20u, 21u})
         dGeomSetBody(geoms[i], body);
     dGeomSetOffsetPosition(geoms[21], 0, 1, 0);
     Recorded recorded;
-    recorded.collide(space);
+    recorded.collide(space_);
     std::vector<std::vector<int>> live;
     {
-        Notices notices(space);
+        Notices notices(space_);
         for (int tick = 0; tick < 6; ++tick)
         {
             for (std::size_t i = 0; i < 10; ++i) // two notices each
@@ -136,7 +129,7 @@ TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
             dGeomSetPosition(geoms[15], 15, dReal(tick), 0);
             dBodySetPosition(body, 0, 0, dReal(tick / 2));
             live.push_back(notices.take(geoms));
-            recorded.collide(space);
+            recorded.collide(space_);
         }
     }
     EXPECT_EQ(live[3][0], 2);
@@ -147,46 +140,43 @@ TEST_F(RecorderTest, NoticesComeBackAlsoOfPosesThatAreSetToWhatTheyAre)
     const Recording recording = recorded.end();
     EXPECT_EQ(notices_in_replay(recording), live);
     expect_pairs_agree(recording);
-    dSpaceDestroy(space);
-    dWorldDestroy(world);
 }
 
-// The ray turns its body after two notices; the box stays, although the replay repeats these.
+// dGeomRaySet() turns the body of its ray. The other geoms stay where they were until the body moves.
 TEST_F(RecorderTest, AGeomThatDoesNotFollowItsBodyStaysThereAfterItsNotices)
 {
-    const dWorldID world = dWorldCreate();
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    balls_in(space);
-    const dBodyID body = dBodyCreate(world);
-    const dGeomID ray = dCreateRay(space, 5), box = dCreateBox(space, 1, 2, 3);
+    balls_in(space_);
+    const dBodyID body = dBodyCreate(world_);
+    const dGeomID ray = dCreateRay(space_, 5), box = dCreateBox(space_, 1, 2, 3);
     dGeomSetBody(ray, body);
     dGeomSetBody(box, body);
     dGeomSetOffsetPosition(box, 1, 2, 3);
     Recorded recorded;
-    recorded.collide(space);
+    recorded.collide(space_);
+    const auto turn_and_compare = [&](dReal x, dReal y) {
+        dGeomRaySet(ray, 0, 0, 0, x, y, 0);
+        recorded.collide(space_);
+        const Recording recording = recorded.so_far();
+        const auto stage = staged(recording);
+        expect_same(ray, stage->geom(31));
+        expect_same(box, stage->geom(32));
+    };
+    turn_and_compare(1, 0);
     dBodySetPosition(body, 0, 0, 1);
     dBodySetPosition(body, 0, 0, 2);
     dGeomGetPosition(box); // ODE computes it here
-    dGeomRaySet(ray, 0, 0, 0, 1, 0, 0);
-    recorded.collide(space);
-    const Recording recording = recorded.end();
-    const auto stage = staged(recording);
-    expect_same(ray, stage->geom(31));
-    expect_same(box, stage->geom(32));
-    dSpaceDestroy(space);
-    dWorldDestroy(world);
+    turn_and_compare(0, 1);
 }
 
 TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpacesAreNot)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr), inner = dPredictiveSpaceCreate(space),
-                   simple = dSimpleSpaceCreate(space);
+    const dSpaceID inner = dPredictiveSpaceCreate(space_), simple = dSimpleSpaceCreate(space_);
     dPredictiveSpaceSetProximity(inner, dPredictiveProximityShape);
     const std::vector<dGeomID> in_predictive = balls_in(inner), in_simple = balls_in(simple);
     Recorded recorded;
     for (int tick = 0; tick < 4; ++tick)
     {
-        recorded.collide(space);
+        recorded.collide(space_);
         for (const dGeomID each : {in_predictive[3], in_simple[3]})
             for (int times = 0; times < 3; ++times)
                 dGeomSetPosition(each, 3, 0, 0);
@@ -208,35 +198,31 @@ TEST_F(RecorderTest, NoticesOfNestedPredictiveSpacesAreRecordedAndThoseOfOdesSpa
     EXPECT_EQ(number_of.size(), 3u) << "one ball, and both spaces";
     EXPECT_EQ(number_of[5], 3u) << "the fourth ball";
     expect_pairs_agree(recording);
-    dSpaceDestroy(space);
 }
 
 // A substitute has the class of ODE's space for the program; a space that the program itself made is predictive.
 TEST_F(RecorderTest, ASubstituteIsRecordedAsTheSpaceThatTheProgramMade)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    balls_in(space);
+    balls_in(space_);
     for (const bool is_substitute : {false, true})
     {
         const ScratchFile file;
         Recorder recorder(HistoryFile(file.path(), false), 1 << 24, "a test", [=](dSpaceID) { return is_substitute; });
-        recorder.begin_collide(space).end();
+        recorder.begin_collide(space_).end();
         recorder.close();
         const GeomState state = Recording::read(file.path()).state_of_first_space();
         EXPECT_EQ(full_name_of(own_kind(state)), is_substitute ? "hash" : "predictive, by box");
         EXPECT_EQ(full_name_of(recorded_kind(state)), "predictive, by box");
     }
-    dSpaceDestroy(space);
 }
 
 TEST_F(RecorderTest, APredictiveSpaceComesBackWithItsProximity)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     for (const int proximity : {dPredictiveProximitySphere, dPredictiveProximityShape, dPredictiveProximityBox})
     {
-        dPredictiveSpaceSetProximity(space, proximity);
+        dPredictiveSpaceSetProximity(space_, proximity);
         Recorded recorded;
-        recorded.collide(space);
+        recorded.collide(space_);
         const Recording recording = recorded.end();
         for (const SpaceKind kind : {SpaceKind::own, predictive_kind(proximity)})
         {
@@ -244,28 +230,23 @@ TEST_F(RecorderTest, APredictiveSpaceComesBackWithItsProximity)
             EXPECT_EQ(dPredictiveSpaceGetProximity(reinterpret_cast<dSpaceID>(stage->geom(0))), proximity);
         }
     }
-    dSpaceDestroy(space);
 }
 
 TEST_F(RecorderTest, AForkedProgramCountsNoNotices)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const dGeomID ball = balls_in(space).front();
-    dSpaceCollide(space, nullptr, ignore);
-    Notices notices(space);
-    const pid_t child = fork();
-    if (child == 0)
-    {
-        alarm(10); // ends a child that waits for a lock
-        dGeomSetPosition(ball, 0, 1, 0);
-        _exit(notices.take({ball})[0]);
-    }
-    int status = -1;
-    waitpid(child, &status, 0);
-    EXPECT_EQ(status, 0) << "there is nobody to take them";
+    const dGeomID ball = balls_in(space_).front();
+    dSpaceCollide(space_, nullptr, ignore);
+    Notices notices(space_);
+    EXPECT_EXIT(
+        {
+            alarm(10); // ends a child that waits for a lock
+            dGeomSetPosition(ball, 0, 1, 0);
+            _exit(notices.take({ball})[0]);
+        },
+        testing::ExitedWithCode(0), "")
+        << "there is nobody to take them";
     dGeomSetPosition(ball, 0, 1, 0);
     EXPECT_EQ(notices.take({ball})[0], 1) << "its parent goes on";
-    dSpaceDestroy(space);
 }
 
 TEST_F(RecorderTest, ASpaceThatIsNotRecordedAnyMoreIsNotWatchedEither)

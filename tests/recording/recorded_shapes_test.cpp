@@ -20,9 +20,7 @@ namespace
 TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
 {
     Tetrahedron tetrahedron;
-    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
-                                3 * sizeof(dTriIndex));
+    const dTriMeshDataID mesh = tetrahedron.make_mesh();
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     for (int i = 0; i < 5; ++i)
         dGeomSetPosition(dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr), dReal(i), 0, 0);
@@ -54,12 +52,9 @@ TEST_F(RecorderTest, AMeshIsRecordedOnceAndAgainWhenItsVerticesChange)
 TEST_F(RecorderTest, AMeshThatCannotBeReadIsItsBoxAlsoAtAnOffset)
 {
     Tetrahedron tetrahedron;
-    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
-                                3 * sizeof(dTriIndex));
+    const dTriMeshDataID mesh = tetrahedron.make_mesh();
     tetrahedron.vertices[0] = NAN;
-    const dWorldID world = dWorldCreate();
-    const dBodyID body = dBodyCreate(world);
+    const dBodyID body = dBodyCreate(world_);
     const dSpaceID space = dHashSpaceCreate(nullptr);
     const dGeomID geom = dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
     dGeomSetBody(geom, body);
@@ -76,7 +71,6 @@ TEST_F(RecorderTest, AMeshThatCannotBeReadIsItsBoxAlsoAtAnOffset)
     dGeomGetAABB(stage->geom(1), replayed.data());
     EXPECT_EQ(replayed, box);
     dSpaceDestroy(space);
-    dWorldDestroy(world);
     dGeomTriMeshDataDestroy(mesh);
 }
 
@@ -211,8 +205,7 @@ TEST_F(RecorderTest, AHeightfieldWithASampleThatIsNoNumberIsItsBoxAlsoOnABody)
     const float heights[4] = {0, 1, 2, std::numeric_limits<float>::quiet_NaN()};
     const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildSingle(field, heights, 0, 4, 4, 2, 2, 1, 0, 1, 0);
-    const dWorldID world = dWorldCreate();
-    const dBodyID body = dBodyCreate(world);
+    const dBodyID body = dBodyCreate(world_);
     const dSpaceID space = dHashSpaceCreate(nullptr);
     for (const dGeomID each : {dCreateHeightfield(space, field, 1), dCreateSphere(space, 1)})
     {
@@ -228,7 +221,6 @@ TEST_F(RecorderTest, AHeightfieldWithASampleThatIsNoNumberIsItsBoxAlsoOnABody)
     EXPECT_EQ(recording.stand_ins(), 1u);
     expect_pairs_agree(recording);
     dSpaceDestroy(space);
-    dWorldDestroy(world);
     dGeomHeightfieldDataDestroy(field);
 }
 
@@ -258,7 +250,6 @@ TEST_F(RecorderTest, TheCallbackOfAHeightfieldIsCalledOnceForEachSampleOfEachBui
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
 {
-    const dWorldID world = dWorldCreate();
     const dSpaceID space = dPredictiveSpaceCreate(nullptr);
     Tetrahedron tetrahedron;
     std::vector<dGeomID> transforms,
@@ -277,7 +268,7 @@ TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
         dGeomSetCollideBits(transforms.back(), 6);
     }
     dGeomDisable(transforms[2]);
-    const dBodyID body = dBodyCreate(world);
+    const dBodyID body = dBodyCreate(world_);
     dGeomSetBody(transforms[1], body);
     dGeomSetOffsetPosition(transforms[1], 0, REAL(0.1), 0);
     const dGeomID ball = dCreateSphere(space, 2), other = create_geom(GeomKind::user, 1, space);
@@ -309,7 +300,6 @@ TEST_F(RecorderTest, WhatATransformHoldsComesBackAndAUserClassIsItsBox)
     expect_same(other, stage->geom(5));
     expect_pairs_agree(recording);
     dSpaceDestroy(space);
-    dWorldDestroy(world);
 }
 } // namespace
 } // namespace ode_predictive_space::recording

@@ -14,7 +14,18 @@
 
 namespace ode_predictive_space::recording
 {
-using RecorderTest = OdeTest;
+class RecorderTest : public OdeTest
+{
+protected:
+    ~RecorderTest() override
+    {
+        dSpaceDestroy(space_);
+        dWorldDestroy(world_);
+    }
+
+    const dWorldID world_ = dWorldCreate();
+    const dSpaceID space_ = dPredictiveSpaceCreate(nullptr);
+};
 
 inline void ignore(void * /*data*/, dGeomID /*first*/, dGeomID /*second*/) {}
 
@@ -61,6 +72,14 @@ struct Tetrahedron
     unsigned polygons[16] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3};
     float vertices[12] = {-0.5f, -0.5f, -0.5f, 1, -0.5f, -0.5f, -0.5f, 1, -0.5f, -0.5f, -0.5f, 1};
     dTriIndex triangles[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+    /// Data that read the vertices of this object.
+    dTriMeshDataID make_mesh() const
+    {
+        const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+        dGeomTriMeshDataBuildSingle(mesh, vertices, 3 * sizeof(float), 4, triangles, 12, 3 * sizeof(dTriIndex));
+        return mesh;
+    }
 };
 } // namespace ode_predictive_space::recording
 

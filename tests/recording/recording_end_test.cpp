@@ -1,7 +1,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <ode/ode.h>
@@ -24,9 +23,8 @@ namespace
 // All limits within the size of a tick: there is always room for the end, and for the pairs of a collide that has begun.
 TEST_F(RecorderTest, NoLimitIsExceeded)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const dGeomID ball = dCreateSphere(space, 1);
-    dCreateSphere(space, 1);
+    const dGeomID ball = dCreateSphere(space_, 1);
+    dCreateSphere(space_, 1);
     const EventTimes times{}; // with them, an event takes all the room that is kept for it
     for (std::uint64_t limit = 2000; limit < 2150; ++limit)
     {
@@ -34,7 +32,7 @@ TEST_F(RecorderTest, NoLimitIsExceeded)
         for (int i = 0; i < 20 && !recorded.recorder().is_over(); ++i)
         {
             dGeomSetPosition(ball, dReal(0.1) * static_cast<dReal>(i), 0, 0);
-            recorded.collide(space, &times);
+            recorded.collide(space_, &times);
         }
         const Recording recording = recorded.end();
         EXPECT_LE(recording.bytes(), limit);
@@ -42,50 +40,43 @@ TEST_F(RecorderTest, NoLimitIsExceeded)
         EXPECT_TRUE(recording.reached_limit());
         EXPECT_TRUE(recording.events().back().has_pairs);
     }
-    dSpaceDestroy(space);
 }
 
 // A callback may collide, too.
 TEST_F(RecorderTest, NoLimitIsExceededByCollidesWithinACollide)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    dCreateSphere(space, 1);
+    dCreateSphere(space_, 1);
     const EventTimes times{};
     for (std::uint64_t limit = 2000; limit < 2150; ++limit)
     {
         Recorded recorded(limit);
         while (!recorded.recorder().is_over())
         {
-            Recorder::Event outer = recorded.recorder().begin_collide(space),
-                            inner = recorded.recorder().begin_collide(space);
+            Recorder::Event outer = recorded.recorder().begin_collide(space_),
+                            inner = recorded.recorder().begin_collide(space_);
             inner.end(&times);
             outer.end(&times);
         }
         EXPECT_LE(recorded.end().bytes(), limit);
     }
-    dSpaceDestroy(space);
 }
 
 TEST_F(RecorderTest, WithoutAnEndTheLastCollideIsThere)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    dCreateSphere(space, 1);
+    dCreateSphere(space_, 1);
     Recorded recorded;
-    recorded.recorder().begin_collide(space);
+    recorded.recorder().begin_collide(space_);
     const Recording recording = recorded.so_far();
     ASSERT_EQ(recording.events().size(), 1u);
     EXPECT_FALSE(recording.events()[0].has_pairs) << "the program did not survive it";
     EXPECT_FALSE(recording.has_end());
-    dSpaceDestroy(space);
 }
 
 // Once, it was closed as whole and then refused, as it contained half of an event.
 TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
 {
     Tetrahedron tetrahedron;
-    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildSingle(mesh, tetrahedron.vertices, 3 * sizeof(float), 4, tetrahedron.triangles, 12,
-                                3 * sizeof(dTriIndex));
+    const dTriMeshDataID mesh = tetrahedron.make_mesh();
     bool struck = true;
     for (long spared = 0; struck; ++spared)
     {
@@ -118,28 +109,28 @@ TEST_F(RecorderTest, WithoutMemoryItIsCutAfterItsLastWholeRecord)
 TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
 {
     const ScratchFile file;
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr), twin = dPredictiveSpaceCreate(nullptr);
+    const dSpaceID twin = dPredictiveSpaceCreate(nullptr);
     std::vector<std::array<dGeomID, 2>> geoms;
     for (int i = 0; i < 40; ++i)
-        geoms.push_back({dCreateSphere(space, 1), dCreateSphere(twin, 1)});
-    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
-    EXPECT_TRUE(dSpaceIsPredictive(space));
+        geoms.push_back({dCreateSphere(space_, 1), dCreateSphere(twin, 1)});
+    ASSERT_EQ(dPredictiveSpaceRecord(space_, file.path().c_str(), 0), 1);
+    EXPECT_TRUE(dSpaceIsPredictive(space_));
     for (int tick = 0; tick < 30; ++tick)
     {
         for (std::size_t i = 0; i < geoms.size(); ++i)
             for (const dGeomID geom : geoms[i])
                 dGeomSetPosition(geom, dReal(i % 7) * dReal(1.3), dReal(i) * dReal(0.4), dReal(tick * (i % 3)) / 10);
         int pairs = 0, expected = 0;
-        dSpaceCollide(space, &pairs, count);
+        dSpaceCollide(space_, &pairs, count);
         dSpaceCollide(twin, &expected, count);
         EXPECT_EQ(pairs, expected);
     }
     const dGeomID probe = dCreateSphere(nullptr, 1);
     int pairs = 0;
-    dSpaceCollide2(probe, reinterpret_cast<dGeomID>(space), &pairs, count);
-    EXPECT_EQ(dPredictiveSpaceValidate(space), 1);
-    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1);
-    dSpaceCollide(space, &pairs, count);
+    dSpaceCollide2(probe, reinterpret_cast<dGeomID>(space_), &pairs, count);
+    EXPECT_EQ(dPredictiveSpaceValidate(space_), 1);
+    EXPECT_EQ(dPredictiveSpaceRecord(space_, nullptr, 0), 1);
+    dSpaceCollide(space_, &pairs, count);
     dGeomDestroy(probe);
     const Recording recording = Recording::read(file.path());
     EXPECT_EQ(recording.events().size(), 31u) << "what came afterwards is not in it";
@@ -147,7 +138,6 @@ TEST_F(RecorderTest, ASpaceRecordsItselfAndFindsTheSamePairs)
     for (const EventSummary &event : recording.events())
         EXPECT_TRUE(event.has_pairs);
     expect_pairs_agree(recording);
-    dSpaceDestroy(space);
     dSpaceDestroy(twin);
 }
 
@@ -168,6 +158,15 @@ TEST_F(RecorderTest, ASpaceRecordsItselfUpToTheLimitThatItIsTold)
     EXPECT_LE(recording.bytes(), 3000u);
 }
 
+void expect_not_recorded(dSpaceID space, const std::string &path, const std::string &reason)
+{
+    int result = 1;
+    const auto record = [&] { result = dPredictiveSpaceRecord(space, path.empty() ? nullptr : path.c_str(), 0); };
+    const std::string complaint = ode_complaint(record);
+    EXPECT_EQ(result, 0);
+    EXPECT_NE(complaint.find(reason), std::string::npos) << complaint;
+}
+
 // Once, the next collide ended the program.
 TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
 {
@@ -176,20 +175,14 @@ TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
     dCreateSphere(space, 1);
     ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
     dSpaceCollide(space, nullptr, ignore);
-    int result = 1;
-    ode_complaint([&] { result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0); });
-    EXPECT_EQ(result, 0);
+    expect_not_recorded(space, "/nonexistent/file", "/nonexistent/file");
     dSpaceCollide(space, nullptr, ignore);
     EXPECT_TRUE(Recording::read(file.path()).has_end());
     EXPECT_EQ(Recording::read(file.path()).events().size(), 1u) << "the first recording has ended with the second call";
 
     EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
     EXPECT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1) << "its own file again";
-    EXPECT_NE(ode_complaint([&] {
-                  result = dPredictiveSpaceRecord(other, file.path().c_str(), 0);
-              }).find("another recording is being written to it"),
-              std::string::npos);
-    EXPECT_EQ(result, 0);
+    expect_not_recorded(other, file.path(), "another recording is being written to it");
     dSpaceDestroy(space);
     EXPECT_TRUE(Recording::read(file.path()).has_end());
     dSpaceDestroy(other);
@@ -198,53 +191,37 @@ TEST_F(RecorderTest, ASecondRecordingEndsTheFirstAlsoWhenItsFileCannotBeMade)
 TEST_F(RecorderTest, AForkedProgramGoesOnWithItsRecordedSpace)
 {
     const ScratchFile file;
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr);
-    const dGeomID ball = dCreateSphere(space, 1);
-    ASSERT_EQ(dPredictiveSpaceRecord(space, file.path().c_str(), 0), 1);
-    const pid_t child = fork();
-    if (child == 0)
-    {
-        alarm(10); // ends a child that waits for a lock
-        dGeomSetPosition(ball, 1, 0, 0);
-        dSpaceCollide(space, nullptr, ignore);
-        _exit(0);
-    }
-    int status = -1;
-    waitpid(child, &status, 0);
-    EXPECT_EQ(status, 0);
-    dSpaceDestroy(space);
+    const dGeomID ball = dCreateSphere(space_, 1);
+    ASSERT_EQ(dPredictiveSpaceRecord(space_, file.path().c_str(), 0), 1);
+    EXPECT_EXIT(
+        {
+            alarm(10); // ends a child that waits for a lock
+            dGeomSetPosition(ball, 1, 0, 0);
+            dSpaceCollide(space_, nullptr, ignore);
+            _exit(0);
+        },
+        testing::ExitedWithCode(0), "");
 }
 
 TEST_F(RecorderTest, WhatCannotBeRecordedIsRefused)
 {
-    const dSpaceID space = dPredictiveSpaceCreate(nullptr), hash = dHashSpaceCreate(nullptr);
-    int result = 1;
-    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(hash, "/dev/null", 0); }).find("not a predictive"),
-              std::string::npos);
-    EXPECT_EQ(result, 0);
-    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(nullptr, "/dev/null", 0); }).find("null"),
-              std::string::npos);
-    EXPECT_NE(ode_complaint([&] {
-                  result = dPredictiveSpaceRecord(space, "/nonexistent/file", 0);
-              }).find("/nonexistent/file"),
-              std::string::npos);
-    EXPECT_EQ(result, 0);
-    EXPECT_EQ(dPredictiveSpaceRecord(space, nullptr, 0), 1) << "there was none";
-    dCreateSphere(space, 1);
-    dCreateSphere(space, 1);
-    dSpaceCollide(space, space, [](void *self, dGeomID, dGeomID) {
+    const dSpaceID hash = dHashSpaceCreate(nullptr);
+    expect_not_recorded(hash, "/dev/null", "not a predictive");
+    expect_not_recorded(nullptr, "/dev/null", "null");
+    expect_not_recorded(space_, "/nonexistent/file", "/nonexistent/file");
+    EXPECT_EQ(dPredictiveSpaceRecord(space_, nullptr, 0), 1) << "there was none";
+    dCreateSphere(space_, 1);
+    dCreateSphere(space_, 1);
+    dSpaceCollide(space_, space_, [](void *self, dGeomID, dGeomID) {
         EXPECT_NE(ode_complaint([&] {
                       dPredictiveSpaceRecord(static_cast<dSpaceID>(self), "/dev/null", 0);
                   }).find("locked space"),
                   std::string::npos);
     });
-    dSpaceCollide(space, nullptr, ignore);
-    ASSERT_EQ(dPredictiveSpaceRecord(space, "/dev/full", 0), 1);
-    dSpaceCollide(space, nullptr, ignore);
-    EXPECT_NE(ode_complaint([&] { result = dPredictiveSpaceRecord(space, nullptr, 0); }).find("to its end"),
-              std::string::npos);
-    EXPECT_EQ(result, 0);
-    dSpaceDestroy(space);
+    dSpaceCollide(space_, nullptr, ignore);
+    ASSERT_EQ(dPredictiveSpaceRecord(space_, "/dev/full", 0), 1);
+    dSpaceCollide(space_, nullptr, ignore);
+    expect_not_recorded(space_, "", "to its end");
     dSpaceDestroy(hash);
 }
 } // namespace

@@ -218,12 +218,19 @@ std::string complaint(Bytes bytes, std::size_t offset)
     }
 }
 
-void expect_refused(Bytes good, const std::function<void(Bytes &)> &go_on, const std::string &what)
+// What follows on these bytes must be refused.
+struct Refusals
 {
-    const std::size_t offset = good.size();
-    go_on(good);
-    EXPECT_NE(complaint(good, offset).find(what), std::string::npos) << complaint(good, offset);
-}
+    const Bytes &good;
+
+    void operator()(const std::string &what, const std::function<void(Bytes &)> &go_on) const
+    {
+        Bytes bytes = good;
+        go_on(bytes);
+        EXPECT_NE(complaint(bytes, good.size()).find(what), std::string::npos)
+            << what << ": " << complaint(bytes, good.size());
+    }
+};
 
 TEST(Recording, TakesWhatIsWhole)
 {
@@ -258,11 +265,9 @@ TEST(Recording, TakesAFileOfTheFirstVersion)
     bytes.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).event(RecordKind::collide, {0});
     EXPECT_EQ(complaint(bytes, 0), "");
     EXPECT_EQ(Recording(bytes.bytes()).version(), 1u);
-    expect_refused(
-        bytes, [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); }, "too long for its content");
+    Refusals{bytes}("too long for its content", [](Bytes &b) { b.change(0, dHashSpaceClass, geom_field::service, 0); });
     bytes.heights(2, 2);
-    expect_refused(
-        bytes, [](Bytes &b) { b.geom(2, dHeightfieldClass, 1); }, "version 1");
+    Refusals{bytes}("version 1", [](Bytes &b) { b.geom(2, dHeightfieldClass, 1); });
 }
 
 // The launcher's advice is about this space.
@@ -328,21 +333,17 @@ TEST(Recording, RefusesALengthThatNoRecordOfItsKindHas)
 {
     Bytes good;
     good.geom(0, dHashSpaceClass);
-    expect_refused(
-        good, [](Bytes &b) { b.number<std::uint32_t>(0x7fffffff).number<std::uint8_t>(RecordKind::collide); },
-        "longer than any of its kind");
-    expect_refused(
-        good, [](Bytes &b) { b.number<std::uint32_t>(4).number<std::uint8_t>(77); }, "longer than any of its kind");
+    const Refusals refused{good};
+    const char *const what = "longer than any of its kind";
+    refused(what, [](Bytes &b) { b.number<std::uint32_t>(0x7fffffff).number<std::uint8_t>(RecordKind::collide); });
+    refused(what, [](Bytes &b) { b.number<std::uint32_t>(4).number<std::uint8_t>(77); });
 }
 
 TEST(Recording, RefusesWhatAReplayWouldStumbleOver)
 {
     Bytes good;
     good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1);
-    const auto refused = [&](const char *what, const std::function<void(Bytes &)> &go_on) {
-        SCOPED_TRACE(what);
-        expect_refused(good, go_on, what);
-    };
+    const Refusals refused{good};
     refused("not the next one", [](Bytes &b) { b.geom(3, dSphereClass); });
     refused("negative or not a number", [](Bytes &b) { b.geom(2, dBoxClass, 0, 0, -1); });
     refused("negative or not a number",
@@ -395,10 +396,7 @@ TEST(Recording, RefusesLinksThatOdeWouldStopAt)
     Bytes good;
     good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).body(0).event(RecordKind::collide, {0}).pairs(0).times(0, 1);
     good.event(RecordKind::collide, {0});
-    const auto refused = [&](const char *what, const std::function<void(Bytes &)> &go_on) {
-        SCOPED_TRACE(what);
-        expect_refused(good, go_on, what);
-    };
+    const Refusals refused{good};
     refused("a body does not exist", [](Bytes &b) { b.geom_on_body(2, dSphereClass, 2); });
     refused("a body does not exist", [](Bytes &b) { b.geom_on_body(2, dPlaneClass, 1); });
     refused("a body does not exist", [](Bytes &b) { b.geom_on_body(2, dSimpleSpaceClass, 1); });
@@ -428,25 +426,20 @@ TEST(Recording, RefusesWhatIsDoneWithAGeomThatIsGone)
 {
     Bytes good;
     good.geom(0, dHashSpaceClass).geom(1, dSphereClass, 1).event(RecordKind::gone, {0});
-    expect_refused(
-        good, [](Bytes &b) { b.event(RecordKind::collide, {0}); }, "a geom does not exist");
-    expect_refused(
-        good, [](Bytes &b) { b.geom(2, dSphereClass, 1); }, "gone");
-    expect_refused(
-        good, [](Bytes &b) { b.event(RecordKind::gone, {0}); }, "a geom does not exist");
+    Refusals{good}("a geom does not exist", [](Bytes &b) { b.event(RecordKind::collide, {0}); });
+    Refusals{good}("gone", [](Bytes &b) { b.geom(2, dSphereClass, 1); });
+    Refusals{good}("a geom does not exist", [](Bytes &b) { b.event(RecordKind::gone, {0}); });
 }
 
 TEST(Recording, RefusesWhatFollowsTheEndAndSpacesThatAreTooDeep)
 {
     Bytes ended;
     ended.begin(RecordKind::end).number<std::uint8_t>(0).end();
-    expect_refused(
-        ended, [](Bytes &b) { b.geom(0, dSphereClass); }, "follows the end");
+    Refusals{ended}("follows the end", [](Bytes &b) { b.geom(0, dSphereClass); });
     Bytes deep;
     for (std::uint32_t id = 0; id <= deepest_nesting; ++id)
         deep.geom(id, dSimpleSpaceClass, id);
-    expect_refused(
-        deep, [](Bytes &b) { b.geom(deepest_nesting + 1, dSimpleSpaceClass, deepest_nesting + 1); }, "too deeply");
+    Refusals{deep}("too deeply", [](Bytes &b) { b.geom(deepest_nesting + 1, dSimpleSpaceClass, deepest_nesting + 1); });
 }
 } // namespace
 } // namespace ode_predictive_space::recording

@@ -27,8 +27,18 @@ constexpr double no_limit = 1e9;
 class Replay : public OdeTest
 {
 protected:
-    Replay() : space_(dHashSpaceCreate(nullptr)) {}
-    ~Replay() override { dSpaceDestroy(space_); }
+    ~Replay() override
+    {
+        dSpaceDestroy(space_);
+        dGeomTriMeshDataDestroy(triangle_);
+    }
+
+    // A mesh of one triangle, whose box is twice as large.
+    void add_triangle()
+    {
+        dGeomTriMeshDataBuildSingle(triangle_, corners_, 3 * sizeof(float), 3, indices_, 3, 3 * sizeof(dTriIndex));
+        dCreateTriMesh(space_, triangle_, nullptr, nullptr, nullptr);
+    }
 
     dGeomID ball_at(dReal x, dReal y, dReal z)
     {
@@ -45,7 +55,12 @@ protected:
         return recorded.end();
     }
 
-    dSpaceID space_;
+    const dSpaceID space_ = dHashSpaceCreate(nullptr);
+
+private:
+    const float corners_[9] = {-5, -5, 0, 5, -5, 0, -5, 5, 0};
+    const dTriIndex indices_[3] = {0, 1, 2};
+    const dTriMeshDataID triangle_ = dGeomTriMeshDataCreate();
 };
 
 TEST_F(Replay, MeasuresNoMoreEventsThanItIsTold)
@@ -112,33 +127,9 @@ TEST_F(Replay, JudgesCallbacksByTheirContacts)
     dGeomHeightfieldDataDestroy(field);
 }
 
-// A mesh of one triangle, whose box is twice as large.
-class TriangleGeom
-{
-public:
-    explicit TriangleGeom(dSpaceID space)
-    {
-        dGeomTriMeshDataBuildSingle(data_, corners_, 3 * sizeof(float), 3, indices_, 3, 3 * sizeof(dTriIndex));
-        geom_ = dCreateTriMesh(space, data_, nullptr, nullptr, nullptr);
-    }
-    ~TriangleGeom()
-    {
-        dGeomDestroy(geom_);
-        dGeomTriMeshDataDestroy(data_);
-    }
-    TriangleGeom(const TriangleGeom &) = delete;
-    TriangleGeom &operator=(const TriangleGeom &) = delete;
-
-private:
-    const float corners_[9] = {-5, -5, 0, 5, -5, 0, -5, 5, 0};
-    const dTriIndex indices_[3] = {0, 1, 2};
-    const dTriMeshDataID data_ = dGeomTriMeshDataCreate();
-    dGeomID geom_;
-};
-
 TEST_F(Replay, CountsTheTimeOfSparedCallbacksAlone)
 {
-    const TriangleGeom triangle(space_);
+    add_triangle();
     ball_at(4, 4, 0);
     ball_at(20, 0, 0);
     ball_at(dReal(21.9), dReal(1.9), 0); // the boxes overlap, the balls do not: by shape, too
@@ -151,7 +142,7 @@ TEST_F(Replay, CountsTheTimeOfSparedCallbacksAlone)
 
 TEST_F(Replay, LeavesOutPairsByShapeAndSaysSo)
 {
-    const TriangleGeom triangle(space_);
+    add_triangle();
     ball_at(4, 4, 0);
     ball_at(0, 0, 0);
     ball_at(1, 0, 0);

@@ -14,20 +14,6 @@ static_assert(std::is_base_of<dSpace, dPredictiveSpace>::value, "it is used wher
 static_assert(!std::is_copy_constructible<dPredictiveSpace>::value, "a copy would destroy the space twice");
 static_assert(!std::is_copy_assignable<dPredictiveSpace>::value, "a copy would destroy the space twice");
 
-TEST_F(Wrapper, OwnsItsSpace)
-{
-    dPredictiveSpace space;
-    ASSERT_NE(space.id(), nullptr);
-    EXPECT_EQ(dSpaceIsPredictive(space.id()), 1);
-    dSphere first(space.id(), 1);
-    dSphere second(space.id(), 1);
-    EXPECT_EQ(space.getNumGeoms(), 2);
-    EXPECT_EQ(collide(space.id()).size(), 1u);
-    EXPECT_EQ(space.validate(), 1);
-    second.setPosition(5, 0, 0);
-    EXPECT_EQ(collide(space.id()).size(), 0u);
-}
-
 TEST_F(Wrapper, MayHaveAParent)
 {
     dPredictiveSpace outer;

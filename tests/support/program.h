@@ -38,6 +38,14 @@ inline bool contains(const std::string &text, const std::string &part)
 {
     return text.find(part) != std::string::npos;
 }
+
+inline int count_of(const std::string &part, const std::string &text)
+{
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+        ++count;
+    return count;
+}
 } // namespace ode_predictive_space
 
 #endif

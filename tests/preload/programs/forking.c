@@ -63,6 +63,8 @@ int main(int argc, char **argv)
     pthread_t thread;
     dInitODE2(0);
     space = dHashSpaceCreate(0);
+    dCreateSphere(space, 1);
+    dCreateSphere(space, 1);
     other_space = dHashSpaceCreate(0);
     collide(space);
     collide(space);

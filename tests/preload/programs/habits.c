@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <ode/ode.h>
+#include "scene.h"
 
 enum
 {
@@ -21,34 +21,15 @@ static int number_count;
 
 static dSpaceID make(int kind, dSpaceID parent)
 {
-    const dVector3 center = {0, 0, 0}, extents = {32, 32, 32};
-    switch (kind)
-    {
-    case 0:
-        return dSimpleSpaceCreate(parent);
-    case 1:
-        return dHashSpaceCreate(parent);
-    case quadtree:
-        return dQuadTreeSpaceCreate(parent, center, extents, 4);
-    default:
-        return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XYZ);
-    }
-}
-
-static int number_of(dGeomID geom)
-{
-    return (int)(intptr_t)dGeomGetData(geom);
+    static const int classes[kind_count] = {dSimpleSpaceClass, dHashSpaceClass, dQuadTreeSpaceClass,
+                                            dSweepAndPruneSpaceClass};
+    return make_space(classes[kind], parent);
 }
 
 static void note(int number)
 {
     if (number_count < most_numbers)
         numbers[number_count++] = number;
-}
-
-static int by_number(const void *a, const void *b)
-{
-    return *(const int *)a - *(const int *)b;
 }
 
 /* Each number is printed once: a quadtree has an infinite box and is met more often. */

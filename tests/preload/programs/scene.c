@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <ode/ode.h>
-
 enum
 {
     sphere_count = 40,
@@ -20,7 +18,7 @@ struct pairs
     int count;
 };
 
-static dSpaceID make(int space_class, dSpaceID parent)
+dSpaceID make_space(int space_class, dSpaceID parent)
 {
     const dVector3 center = {0, 0, 0}, extents = {32, 32, 32};
     switch (space_class)
@@ -36,7 +34,7 @@ static dSpaceID make(int space_class, dSpaceID parent)
     }
 }
 
-static int number_of(dGeomID geom)
+int number_of(dGeomID geom)
 {
     return (int)(intptr_t)dGeomGetData(geom);
 }
@@ -51,7 +49,7 @@ static void on_pair(void *data, dGeomID first, dGeomID second)
         pairs->keys[pairs->count++] = a < b ? 1000 * a + b : 1000 * b + a;
 }
 
-static int by_number(const void *a, const void *b)
+int by_number(const void *a, const void *b)
 {
     return *(const int *)a - *(const int *)b;
 }
@@ -82,7 +80,7 @@ static void fill(dSpaceID space, int space_class, dGeomID *spheres)
     for (i = 0; i < sphere_count; ++i)
     {
         if (i >= sphere_count / 2 && i % group_size == 0)
-            group = make(space_class, space);
+            group = make_space(space_class, space);
         spheres[i] = dCreateSphere(group, 0.5);
         dGeomSetData(spheres[i], (void *)(intptr_t)i);
     }
@@ -101,7 +99,7 @@ static void show_levels(dSpaceID space)
 static void run_in(int space_class)
 {
     dGeomID spheres[sphere_count];
-    dSpaceID space = make(space_class, 0);
+    dSpaceID space = make_space(space_class, 0);
     int i, tick;
     printf("class %d\n", dSpaceGetClass(space));
     if (space_class == dHashSpaceClass)
