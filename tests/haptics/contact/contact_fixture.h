@@ -8,9 +8,9 @@
 #include "ode_predictive_space/haptics/proxy_law.h"
 #include "tests/haptics/support/allocation_count.h"
 #include "tests/haptics/support/constants.h"
-#include "tests/haptics/support/mesh_maker.h"
 #include "tests/haptics/support/once.h"
 #include "tests/haptics/support/probe_world.h"
+#include "tests/haptics/support/ridges.h"
 #include "tests/haptics/support/scripted_device.h"
 
 #include <functional>
@@ -109,6 +109,84 @@ inline std::string contact_test_name(const testing::TestParamInfo<std::tuple<boo
     return std::string(std::get<0>(parameters.param) ? "Proxy" : "Penalty") +
            (std::get<1>(parameters.param) ? "InTwoThreads" : "InOneThread");
 }
+
+/// Expects the forces of a slide over ridges within 1 % of the truth, and more than `least_pressed` samples above 0.5 N.
+template <typename Samples>
+void expect_forces_of_ridges(const Samples &samples, const RidgeShape &ridges, double least_pressed)
+{
+    ProxyAboveRidges proxy(ridges, radius, samples.front().tool.x());
+    int pressed = 0;
+    for (const auto &sample : samples)
+    {
+        const Vector3 truth = k * (proxy.follow(sample.tool) - sample.tool);
+        ASSERT_LE((sample.requested - truth).norm(), 0.01 * truth.norm() + 1e-6)
+            << sample.time << ": " << sample.requested.transpose() << " and not " << truth.transpose();
+        pressed += truth.norm() > 0.5 ? 1 : 0;
+    }
+    EXPECT_GT(pressed, least_pressed);
+}
+
+/// A heightfield in ODE, which points up along its frame's y, and its samples.
+class OdeField
+{
+public:
+    /// @param thickness m; of what ODE knows below the surface.
+    explicit OdeField(HeightfieldSamples samples, double thickness = 0)
+        : samples_(std::move(samples)), data_(dGeomHeightfieldDataCreate())
+    {
+        dGeomHeightfieldDataBuildDouble(data_, samples_.heights.data(), 1, samples_.width, samples_.depth,
+                                        samples_.width_samples, samples_.depth_samples, samples_.scale, samples_.offset,
+                                        thickness, 0);
+    }
+    ~OdeField() { dGeomHeightfieldDataDestroy(data_); }
+    OdeField(const OdeField &) = delete;
+    OdeField &operator=(const OdeField &) = delete;
+
+    /// Adds the field with its y axis along the scene's z, and its x axis along x.
+    dGeomID add_upright(dSpaceID space) const
+    {
+        const dGeomID geom = dCreateHeightfield(space, data_, 1);
+        dMatrix3 turned;
+        dRFromAxisAndAngle(turned, 1, 0, 0, std::acos(0.0));
+        dGeomSetRotation(geom, turned);
+        return geom;
+    }
+
+    dHeightfieldDataID data() const { return data_; }
+    const HeightfieldSamples &samples() const { return samples_; }
+
+private:
+    HeightfieldSamples samples_;
+    dHeightfieldDataID data_;
+};
+
+/// A cube about the origin whose surface only dCollide() knows.
+class ConvexCube
+{
+public:
+    explicit ConvexCube(dReal half)
+    {
+        for (int side = 0; side < 6; ++side)
+        {
+            const dReal sign = side % 2 == 0 ? 1 : -1;
+            planes_.insert(planes_.end(),
+                           {side / 2 == 0 ? sign : 0, side / 2 == 1 ? sign : 0, side / 2 == 2 ? sign : 0, half});
+        }
+        for (int corner = 0; corner < 8; ++corner)
+            for (const int bit : {1, 2, 4})
+                corners_.push_back((corner & bit) != 0 ? half : -half);
+    }
+
+    dGeomID add_to(dSpaceID space) const
+    {
+        return dCreateConvex(space, planes_.data(), 6, corners_.data(), 8, faces_.data());
+    }
+
+private:
+    std::vector<dReal> planes_, corners_;
+    const std::vector<unsigned> faces_ = {4, 1, 3, 7, 5, 4, 0, 4, 6, 2, 4, 2, 6, 7, 3,
+                                          4, 0, 1, 5, 4, 4, 4, 5, 7, 6, 4, 0, 2, 3, 1};
+};
 
 /// A path from one point to another at constant speed, with a rest before and after it.
 inline Vector3 between(const Vector3 &from, const Vector3 &to, double start, double length, double seconds)

@@ -21,6 +21,23 @@ protected:
         return touch;
     }
 
+    /// Two touches from nearly opposite sides. The bodies are light, if told, and answer after a time (s).
+    static std::vector<Touch> opposed(bool light, double response_time = 0)
+    {
+        std::vector<Touch> touches = {touch_of(1, 1e-5), touch_of(2, 1e-5)};
+        touches[0].normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
+        touches[1].normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
+        for (Touch &touch : touches)
+        {
+            if (!light)
+                continue;
+            touch.mobility = 200;
+            touch.material = Material();
+            touch.response_time = response_time;
+        }
+        return touches;
+    }
+
     std::vector<Touch> tick(std::vector<Touch> touches)
     {
         manifold_.follow(tool_, TouchView::all_together, dt, dt, touches);
@@ -79,17 +96,9 @@ TEST_F(ContactManifoldTest, WhatTakesOverFromSeveralOthersIsThereAtOnce)
 // Two light bodies touch from nearly opposite sides, for which the exact shares are 1,250 times the depth.
 TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
 {
-    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
-    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
-    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
-    const std::vector<Touch> heavy = tick({left, right});
+    const std::vector<Touch> heavy = tick(opposed(false));
     EXPECT_GT(heavy[0].carry.share, 1000 * 1e-5);
-    for (Touch *touch : {&left, &right})
-    {
-        touch->mobility = 200;
-        touch->material = Material();
-    }
-    const std::vector<Touch> light = tick({left, right});
+    const std::vector<Touch> light = tick(opposed(true));
     for (const Touch &touch : light)
     {
         EXPECT_GT(touch.carry.share, 0);
@@ -100,18 +109,8 @@ TEST_F(ContactManifoldTest, WhatAPushMovesYieldsToWhatIsOpposite)
 // Once, a body that moves only with the scene's next step yielded as if it moved within the tick: contacts were too stiff.
 TEST_F(ContactManifoldTest, ABodyThatAnswersLateYieldsByTheTimeThatItTakes)
 {
-    Touch left = touch_of(1, 1e-5), right = touch_of(2, 1e-5);
-    left.normal = Vector3(std::cos(0.02), 0, std::sin(0.02));
-    right.normal = Vector3(-std::cos(0.02), 0, std::sin(0.02));
-    for (Touch *touch : {&left, &right})
-    {
-        touch->mobility = 200;
-        touch->material = Material();
-    }
-    const double soon = tick({left, right})[0].carry.share;
-    for (Touch *touch : {&left, &right})
-        touch->response_time = 5 * dt;
-    const double late = tick({left, right})[0].carry.share;
+    const double soon = tick(opposed(true))[0].carry.share;
+    const double late = tick(opposed(true, 5 * dt))[0].carry.share;
     EXPECT_LT(late, soon / 3);
     EXPECT_GT(late, 0);
 }

@@ -1,7 +1,6 @@
 // Contact with heightfields whose samples are set: both laws, both loops.
 
 #include "tests/haptics/contact/contact_fixture.h"
-#include "tests/haptics/contact/ridge_forces.h"
 #include "tests/haptics/support/random_numbers.h"
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
@@ -10,38 +9,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-/// A heightfield in ODE, which points up along its frame's y, and its samples.
-class OdeField
-{
-public:
-    explicit OdeField(HeightfieldSamples samples) : samples_(std::move(samples)), data_(dGeomHeightfieldDataCreate())
-    {
-        dGeomHeightfieldDataBuildDouble(data_, samples_.heights.data(), 1, samples_.width, samples_.depth,
-                                        samples_.width_samples, samples_.depth_samples, samples_.scale, samples_.offset,
-                                        0, 0);
-    }
-    ~OdeField() { dGeomHeightfieldDataDestroy(data_); }
-    OdeField(const OdeField &) = delete;
-    OdeField &operator=(const OdeField &) = delete;
-
-    /// Adds the field with its y axis along the scene's z, and its x axis along x.
-    dGeomID add_upright(dSpaceID space) const
-    {
-        const dGeomID geom = dCreateHeightfield(space, data_, 1);
-        dMatrix3 turned;
-        dRFromAxisAndAngle(turned, 1, 0, 0, std::acos(0.0));
-        dGeomSetRotation(geom, turned);
-        return geom;
-    }
-
-    dHeightfieldDataID data() const { return data_; }
-    const HeightfieldSamples &samples() const { return samples_; }
-
-private:
-    HeightfieldSamples samples_;
-    dHeightfieldDataID data_;
-};
-
 HeightfieldSamples profile(double cell, int cells, const std::function<double(double x)> &height)
 {
     HeightfieldSamples samples;

@@ -2,7 +2,6 @@
 
 #include "ode_predictive_space/haptics/contact/mesh_store.h"
 #include "tests/haptics/contact/contact_fixture.h"
-#include "tests/haptics/contact/rough_mesh.h"
 
 #include <algorithm>
 

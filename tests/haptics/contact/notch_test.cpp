@@ -162,11 +162,6 @@ std::string name_of_opening(const testing::TestParamInfo<Opening> &info)
 
 INSTANTIATE_TEST_SUITE_P(Openings, NotchTest, testing::ValuesIn(openings()), name_of_opening);
 
-TEST_P(NotchTest, TheProxyLawPressesTheProbeOut)
-{
-    expect_truth(std::make_shared<ProxyLaw>(Material{k}), 0.004);
-}
-
 TEST_P(NotchTest, TheProxyLawLetsItPassNowhereHoweverHardItIsPressed)
 {
     expect_truth(std::make_shared<ProxyLaw>(Material{k}), std::min(0.05, resting() / 2));

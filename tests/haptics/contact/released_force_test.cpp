@@ -2,7 +2,6 @@
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
 #include "tests/haptics/contact/contact_fixture.h"
-#include "tests/haptics/contact/rough_mesh.h"
 #include "tests/support/effort.h"
 
 #include <algorithm>

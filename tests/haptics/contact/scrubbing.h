@@ -4,7 +4,7 @@
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_CONTACT_SCRUBBING_H
 
 #include "ode_predictive_space/haptics/contact/contact_tracker.h"
-#include "tests/haptics/contact/rough_mesh.h"
+#include "tests/haptics/support/mesh_maker.h"
 #include "tests/haptics/support/probe_world.h"
 #include "tests/haptics/support/scripted_device.h"
 
@@ -14,12 +14,6 @@
 namespace ode_predictive_space::haptics
 {
 constexpr double scrubbed_ball = 0.05; // m
-
-/// A ball of some 4 n^2 triangles. Its noise is in proportion to its cells, so that its angles do not depend on the resolution.
-inline MeshShape scanned_ball(int rings)
-{
-    return rough_ball(scrubbed_ball, rings, 0.03, 0.2 * M_PI * scrubbed_ball / rings, 1);
-}
 
 class Scrub
 {
@@ -50,7 +44,8 @@ private:
 inline void expect_budget_kept(int rings, int ticks)
 {
     const OdeUse ode;
-    const OdeMesh mesh(scanned_ball(rings));
+    const double noise = 0.2 * M_PI * scrubbed_ball / rings; // m; angles do not depend on the resolution
+    const OdeMesh mesh(rough_ball(scrubbed_ball, rings, 0.03, noise, 1));
     for (const double size : {0.001, 0.003, 0.01})
     {
         ProbeWorld world;

@@ -1,7 +1,6 @@
 // Between two steps of a slow scene the servo renders the surface itself, not a plane. Both laws are tested.
 
 #include "tests/haptics/contact/contact_fixture.h"
-#include "tests/haptics/contact/ridge_forces.h"
 
 #include <algorithm>
 
@@ -20,12 +19,6 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Laws, ServoContactTest, testing::Combine(testing::Bool(), testing::Values(true)),
                          contact_test_name);
 
-Vector3 over_the_ridges(double t)
-{
-    const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, radius - 0.003), end(0.2, 0.05, radius - 0.003);
-    return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.8, t);
-}
-
 TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheStepsOfTheScene)
 {
     const RidgeShape ridges;
@@ -33,15 +26,11 @@ TEST_P(ServoContactTest, RidgesOfAHundredThousandTrianglesAreFeltBetweenTheSteps
     ASSERT_EQ(shape.triangles.size(), 100000U);
     const OdeMesh mesh(shape);
     mesh.add_to(world_.space);
-    const auto samples = run(&over_the_ridges, 1.3);
+    const Vector3 above(-0.2, -0.05, 0.03), in(-0.2, -0.05, radius - 0.003), end(0.2, 0.05, radius - 0.003);
+    const auto samples =
+        run([=](double t) { return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.5, 0.8, t); }, 1.3);
     expect_forces_of_ridges(samples, ridges, 0.8 * servo_rate);
-}
-
-TEST_P(ServoContactTest, TheServoAllocatesNothing)
-{
-    const OdeMesh mesh(ridge_mesh(RidgeShape(), 250, 200));
-    mesh.add_to(world_.space);
-    for (const Sample &sample : run(&over_the_ridges, 1.3))
+    for (const Sample &sample : samples)
         if (sample.time > 0.6) // the law has met a ridge and a valley
         {
             ASSERT_EQ(sample.allocations, 0U) << sample.time;
@@ -75,22 +64,6 @@ TEST_P(ServoContactTest, AMeshThatGetsOtherDataIsFeltAsItIsFromTheNextStepOn)
         touching += is_upper ? 1 : 0;
     }
     EXPECT_GT(touching, 0.4 * servo_rate);
-}
-
-TEST_P(ServoContactTest, AnEdgeThatIsPassedBetweenTwoStepsEndsTheFloor)
-{
-    world_.add_box({0.2, 0.4, 0.2}, {-0.1, 0, -0.1}); // its edge is at the origin
-    const auto path = [](double t) {
-        const Vector3 above(-0.05, 0, 0.03), in(-0.05, 0, radius - 0.003), end(0.05, 0, radius - 0.003);
-        return t < 0.5 ? between(above, in, 0.1, 0.3, t) : between(in, end, 0.503, 0.2, t);
-    };
-    for (const Sample &sample : run(path, 0.8))
-    {
-        const Vector3 nearest(std::min(0.0, sample.tool.x()), 0, 0);
-        const double distance = (sample.tool - nearest).norm();
-        const Vector3 truth = k * std::max(0.0, radius - distance) * (sample.tool - nearest) / distance;
-        ASSERT_LE((sample.requested - truth).norm(), 1e-6) << sample.time << ": " << sample.requested.transpose();
-    }
 }
 
 TEST_P(ServoContactTest, APlateThatTurnsIsFeltWhereItIs)

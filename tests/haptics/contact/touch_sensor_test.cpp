@@ -118,18 +118,6 @@ TEST_F(TouchSensorTest, AHeightfieldHoldsAToolThatPassesThroughItInOneTick)
     EXPECT_NEAR(sensor.touches()[0].normal.z(), 1, 1e-9);
 }
 
-TEST_F(TouchSensorTest, ClaimsItsPairsAndNoOthers)
-{
-    TouchSensor sensor(world_.space, radius);
-    const dGeomID one = world_.add_box({1, 1, 1}, {0, 0, 0});
-    const dGeomID two = world_.add_box({1, 1, 1}, {0, 0, 0});
-    const dSpaceID nested = dSimpleSpaceCreate(world_.space);
-    EXPECT_TRUE(sensor.touch(one, sensor.geom()));
-    EXPECT_TRUE(sensor.touch(sensor.geom(), two));
-    EXPECT_FALSE(sensor.touch(one, two));
-    EXPECT_FALSE(sensor.touch(sensor.geom(), reinterpret_cast<dGeomID>(nested))) << "the program is to descend into it";
-}
-
 // Only ODE collides a probe that is not a sphere.
 TEST_F(TouchSensorTest, OfAnObjectThatIsCollidedByOdeTheDeepestContactCounts)
 {

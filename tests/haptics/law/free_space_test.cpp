@@ -30,8 +30,7 @@ private:
     double pull_; ///< N
 };
 
-class FreeSpaceTest : public HapticProbeTest
-{};
+using FreeSpaceTest = HapticProbeTest;
 
 TEST_F(FreeSpaceTest, OnTheHandDoesNotPushTheBodyThatIsTouched)
 {

@@ -1,14 +1,9 @@
 // Materials of single geoms in a whole probe: both laws, in one thread and in two.
 
-#include "ode_predictive_space/haptics/touch.h"
-
 #include "ode_predictive_space/haptics/contact/material.h"
-#include "ode_predictive_space/haptics/loop.h"
 #include "tests/haptics/contact/contact_fixture.h"
-#include "tests/haptics/support/constants.h"
 
 #include <algorithm>
-#include <gtest/gtest.h>
 #include <map>
 
 namespace ode_predictive_space::haptics
@@ -20,13 +15,14 @@ constexpr double left = -0.03;    // m; the middle of one half of the table
 constexpr double right = 0.03;
 
 /// Two boxes side by side, whose tops are at z = 0 and meet at x = 0.
-class MaterialTest : public testing::TestWithParam<std::tuple<bool, bool>>
+class MaterialTest : public ContactTest
 {
 protected:
-    MaterialTest() { build(false); }
-
-    bool proxy_law() const { return std::get<0>(GetParam()); }
-    bool decoupled() const { return std::get<1>(GetParam()); }
+    MaterialTest()
+    {
+        physics_rate_ = 200;
+        build(false);
+    }
 
     void build(bool one_body)
     {
@@ -71,7 +67,7 @@ protected:
         std::vector<RenderedTick> ticks;
         probe.set_recorder([&](const RenderedTick &tick) { ticks.push_back(tick); });
         const double duration = 2.2 + std::abs(end - start) / speed;
-        const LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate);
+        const LoopSettings settings = simulated(clock_, duration, decoupled(), physics_rate_);
         HapticLoop(probe, settings).run(world_.work(probe));
         return ticks;
     }
@@ -86,11 +82,14 @@ protected:
         return largest;
     }
 
-    const OdeUse ode_;
-    ProbeWorld world_;
-    SimulatedClock clock_;
+    static double friction_of_sliding(const std::vector<RenderedTick> &ticks)
+    {
+        const auto sliding =
+            std::find_if(ticks.begin(), ticks.end(), [](const RenderedTick &tick) { return tick.time > 1.85; });
+        return -sliding->force.x() / sliding->force.z();
+    }
+
     NoticeList notices_;
-    double physics_rate = 200; ///< Hz; in two threads
     std::map<dGeomID, Material> materials_;
     dGeomID left_ = nullptr;
     dGeomID right_ = nullptr;
@@ -118,12 +117,7 @@ TEST_P(MaterialTest, IceBesideRubber)
 {
     paint({500, 0, 0.05}, {500, 0, 0.9});
     for (const auto &[start, friction] : {std::pair(left, 0.05), std::pair(right, 0.9)})
-    {
-        const std::vector<RenderedTick> ticks = slide(start, start + 0.02, 0.05);
-        const auto sliding =
-            std::find_if(ticks.begin(), ticks.end(), [](const RenderedTick &tick) { return tick.time > 1.85; });
-        EXPECT_NEAR(-sliding->force.x() / sliding->force.z(), friction, 1e-6);
-    }
+        EXPECT_NEAR(friction_of_sliding(slide(start, start + 0.02, 0.05)), friction, 1e-6);
 }
 
 TEST_P(MaterialTest, StaticFrictionHoldsLongerAndSlidingIsFelt)
@@ -134,9 +128,7 @@ TEST_P(MaterialTest, StaticFrictionHoldsLongerAndSlidingIsFelt)
     for (const RenderedTick &tick : ticks)
         most = std::max(most, -tick.requested.x() / std::max(0.1, tick.requested.z()));
     EXPECT_NEAR(most, 0.6, 0.02);
-    const auto sliding =
-        std::find_if(ticks.begin(), ticks.end(), [](const RenderedTick &tick) { return tick.time > 1.85; });
-    EXPECT_NEAR(-sliding->force.x() / sliding->force.z(), 0.2, 1e-6);
+    EXPECT_NEAR(friction_of_sliding(ticks), 0.2, 1e-6);
 }
 
 // Unblended, the force jumps by 1.2 N. The hand moves 0.1 mm per tick, which is 0.08 N while friction holds, and the force of

@@ -1,7 +1,6 @@
 #include "ode_predictive_space/haptics/law/virtual_coupling.h"
 
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
@@ -50,7 +49,7 @@ TEST(VirtualCoupling, IsBoundedToHalfOfWhatDiverges)
 
 TEST(VirtualCoupling, RefusesPropertiesThatCannotBe)
 {
-    for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const double bad : {-1.0, nan, infinity})
     {
         EXPECT_THROW(check(CouplingProperties{bad, 0, 0, 0}), std::invalid_argument);
         EXPECT_THROW(check(CouplingProperties{0, bad, 0, 0}), std::invalid_argument);

@@ -31,18 +31,7 @@ TEST_F(HapticProbeTest, ForceIsStiffnessTimesDepthAlongTheNormalInAnySpace)
     }
 }
 
-TEST_F(HapticProbeTest, WhatTheHandGetsTheBodyLoses)
-{
-    ProbeWorld world;
-    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0.01, 0.02, -0.05}, 3);
-    ScriptedDevice device(reach({0, 0, 0.03}, {0.01, 0, -0.05}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(300));
-    const Vector3 impulse = impulse_on_hand(world, probe, 3000);
-    EXPECT_GT(impulse.norm(), 0.1);
-    EXPECT_LE((impulse + momentum_of(body)).norm(), 1e-9 * impulse.norm());
-}
-
-TEST_F(HapticProbeTest, TheSameWhileTheForceIsClampedAndSlewed)
+TEST_F(HapticProbeTest, WhatTheHandGetsTheBodyLosesWhileTheForceIsClampedAndSlewed)
 {
     ProbeWorld world;
     const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 100);
@@ -67,48 +56,6 @@ TEST_F(HapticProbeTest, SeveralBodiesShareWhatTheHandGets)
     EXPECT_GT(momentum_of(left).norm(), 0.1);
     EXPECT_GT(momentum_of(right).norm(), 0.1);
     EXPECT_LE((impulse + momentum_of(left) + momentum_of(right)).norm(), 1e-9 * momentum_of(left).norm());
-}
-
-TEST_F(HapticProbeTest, ABodyOfSeveralGeomsIsOneObject)
-{
-    ProbeWorld world;
-    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1e6);
-    const dGeomID second = world.add_box({0.1, 0.1, 0.1}, Vector3::Zero());
-    dGeomSetBody(second, body);
-    dGeomSetOffsetPosition(second, 0.02, 0, 0.001);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, radius - 0.001}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
-    world.run(probe, reach_ticks);
-    ASSERT_EQ(probe.touches().size(), 1U);
-    EXPECT_NEAR(probe.touches()[0].depth, 0.002, 1e-6) << "the deeper one of the two";
-}
-
-TEST_F(HapticProbeTest, ADisabledBodyIsEnabledWhenItIsPushed)
-{
-    ProbeWorld world;
-    const dBodyID body = world.add_moving_box({0.1, 0.1, 0.1}, {0, 0, -0.05}, 1);
-    dBodyDisable(body);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.005}));
-    HapticProbe probe(device, world.space, radius, with_stiffness(800));
-    world.run(probe, 1100);
-    EXPECT_EQ(dBodyIsEnabled(body), 0) << "not by coming near";
-    world.run(probe, 500);
-    EXPECT_EQ(dBodyIsEnabled(body), 1);
-    EXPECT_LT(dBodyGetLinearVel(body)[2], 0);
-}
-
-TEST_F(HapticProbeTest, NestedSpacesAreThere)
-{
-    ProbeWorld world;
-    const dSpaceID hands = make_space(SpaceChoice::predictive, world.space);
-    const dSpaceID things = make_space(SpaceChoice::simple, world.space);
-    const dGeomID box = dCreateBox(things, 0.4, 0.4, 0.2);
-    dGeomSetPosition(box, 0, 0, -0.1);
-    ScriptedDevice device(reach({0, 0, 0.05}, {0, 0, 0.007}));
-    HapticProbe probe(device, hands, radius, with_stiffness(800));
-    EXPECT_EQ(dPredictiveSpaceGetGeomRole(hands, probe.geom()), dPredictiveRoleInteractive);
-    world.run(probe, reach_ticks);
-    EXPECT_NEAR(probe.last_tick().force.z(), 2.4, 1e-9);
 }
 
 TEST_F(HapticProbeTest, BodiesMayBeDestroyedAtAnyTime)
@@ -180,6 +127,7 @@ TEST_F(HapticProbeTest, AProbeThatRestsDoesNotBotherTheSpace)
     add_shape(world, Shape::plane);
     ScriptedDevice device([](double) -> Vector3 { return {0, 0, 0.1}; });
     HapticProbe probe(device, world.space, radius);
+    EXPECT_EQ(dPredictiveSpaceGetGeomRole(world.space, probe.geom()), dPredictiveRoleInteractive);
     world.run(probe, 100);
     dPredictiveSpaceStats before, after;
     dPredictiveSpaceGetStats(world.space, &before);

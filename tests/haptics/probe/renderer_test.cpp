@@ -6,6 +6,7 @@
 #include "tests/haptics/support/faulty_device.h"
 #include "tests/haptics/support/scripted_device.h"
 
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace ode_predictive_space::haptics
@@ -53,23 +54,32 @@ TEST(Renderer, AllocatesNothingWhileTheDeviceAnswers)
     EXPECT_GT(most, 1);
 }
 
-class DrivingLaw : public ForceLaw
+/// A law of a program. @param forces for a tool and a number of touches.
+class FunctionLaw : public ForceLaw
 {
 public:
+    explicit FunctionLaw(std::function<TouchForces(const ToolState &, std::size_t)> forces) : forces_(std::move(forces))
+    {}
+
     void forces(const ToolState &tool, const std::vector<Touch> &touches, double, TouchForces &forces) override
     {
-        forces.assign(touches.size(), 3 * tool.linear_velocity);
+        forces = forces_(tool, touches.size());
     }
 
     void reset() override {}
     Material material() const override { return {0, 0}; }
+
+private:
+    std::function<TouchForces(const ToolState &, std::size_t)> forces_;
 };
 
 TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
 {
     ScriptedDevice device([](double seconds) -> Vector3 { return {0, 0, -0.02 + 0.005 * std::cos(20 * seconds)}; });
     RenderSettings settings;
-    settings.law = std::make_shared<DrivingLaw>();
+    settings.law = std::make_shared<FunctionLaw>([](const ToolState &tool, std::size_t touches) {
+        return TouchForces(touches, Vector3(3 * tool.linear_velocity));
+    });
     settings.passivity_control = true;
     settings.clutch_button = 0;
     Renderer renderer(device, settings);
@@ -84,21 +94,6 @@ TEST(Renderer, WithTheClutchHeldNothingBrakesTheHandEither)
     }
 }
 
-class ConstantLaw : public ForceLaw
-{
-public:
-    void forces(const ToolState &, const std::vector<Touch> &touches, double, TouchForces &forces) override
-    {
-        forces.assign(touches.size(), Vector3::Zero());
-        forces.push_back(force);
-    }
-
-    void reset() override {}
-    Material material() const override { return {0, 0}; }
-
-    Vector3 force = Vector3::Zero();
-};
-
 /// Pushing in, the hand works against the rendered force, a tenth of the requested one: a softer force gives back no more.
 TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
 {
@@ -107,9 +102,10 @@ TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
         const double time = std::max(0.0, seconds - dt * start);
         return {0, 0, time < 0.1 ? -0.1 * time : -0.01 + 0.1 * (time - 0.1)};
     });
-    const auto law = std::make_shared<ConstantLaw>();
+    Vector3 pushed = Vector3::Zero();
     RenderSettings settings;
-    settings.law = law;
+    settings.law =
+        std::make_shared<FunctionLaw>([&](const ToolState &, std::size_t) { return TouchForces(1, pushed); });
     settings.passivity_control = true;
     settings.safety = SafetyLimits::of(device.capabilities());
     settings.safety->max_force = 0.5;
@@ -121,7 +117,7 @@ TEST(Renderer, ThePassivityObserverCountsTheForceThatLimitsLeave)
     for (int tick = -start; tick < 290; ++tick)
     {
         const double time = dt * (tick + start);
-        law->force.z() = tick < 0 ? 0 : tick < 100 ? 5 : 0.4;
+        pushed.z() = tick < 0 ? 0 : tick < 100 ? 5 : 0.4;
         renderer.read(time, time);
         renderer.note_fresh_physics();
         renderer.render({}, true, dt);

@@ -127,31 +127,7 @@ TEST_F(TwoProbes, InALoopOfOneThreadAndOfTwo)
     }
 }
 
-class TwoLoops : public HapticProbeTest
-{
-protected:
-    void run(int number, LoopSettings settings, const std::function<void(HapticLoop &, int)> &advance)
-    {
-        settings.scene = &mutex_;
-        settings.ask_for_priority = false;
-        HapticLoop loop(*scene_.probes[number], settings);
-        loop.run({[&] { scene_.collide(); }, [&](double) { advance(loop, number); }});
-    }
-
-    static void in_two_threads(const std::function<void(int)> &run_loop)
-    {
-        std::thread other([&] {
-            dAllocateODEDataForThread(dAllocateMaskAll);
-            run_loop(1);
-            dCleanupODEAllDataForThread();
-        });
-        run_loop(0);
-        other.join();
-    }
-
-    TwoProbeWorld scene_;
-    std::mutex mutex_;
-};
+using TwoLoops = HapticProbeTest;
 
 TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
 {
@@ -162,24 +138,37 @@ TEST_F(TwoLoops, InTwoThreadsByTheWallClockFeelEachOther)
                 return {side * (0.02 - 0.012 * std::min(1.0, 2 * seconds)), 0, 0};
             };
         };
+        TwoProbeWorld scene;
         ScriptedDevice left(from(-1)), right(from(1));
-        HapticProbe first(left, scene_.world.space, radius);
-        HapticProbe second(right, scene_.world.space, radius);
-        scene_.probes[0] = &first;
-        scene_.probes[1] = &second;
+        HapticProbe first(left, scene.world.space, radius);
+        HapticProbe second(right, scene.world.space, radius);
+        scene.probes[0] = &first;
+        scene.probes[1] = &second;
+        std::mutex mutex;
         std::atomic<double> requested[2] = {0, 0}; // N
         std::atomic<bool> both_pressed{false};
-        in_two_threads([&](int number) {
+        const auto run = [&](int which) {
             LoopSettings settings;
             settings.decoupled = decoupled;
             settings.duration = 60; // simulated; both touch each other long before
-            run(number, settings, [&](HapticLoop &loop, int which) {
+            settings.scene = &mutex;
+            settings.ask_for_priority = false;
+            HapticLoop loop(*scene.probes[which], settings);
+            const auto advance = [&](double) {
                 requested[which] = loop.latest().requested.x();
                 both_pressed = both_pressed || (requested[0] < -0.1 && requested[1] > 0.1);
                 if (both_pressed)
                     loop.stop();
-            });
+            };
+            loop.run({[&] { scene.collide(); }, advance});
+        };
+        std::thread other([&] {
+            dAllocateODEDataForThread(dAllocateMaskAll);
+            run(1);
+            dCleanupODEAllDataForThread();
         });
+        run(0);
+        other.join();
         EXPECT_TRUE(both_pressed) << requested[0] << " and " << requested[1];
     }
 }

@@ -158,7 +158,6 @@ public:
     }
 
     decltype(&dWorldStep) step_world = &dWorldStep; ///< or &dWorldQuickStep
-    bool swap = false;                              ///< passes each pair in reverse order
     std::function<void(dGeomID, dGeomID)> on_pair;  ///< called for each pair of the near callback; may be empty
     const dWorldID world;
     const dSpaceID space;
@@ -169,7 +168,7 @@ private:
         auto &self = *static_cast<ProbeWorld *>(data);
         if (self.on_pair)
             self.on_pair(first, second);
-        if (self.swap ? self.probe_->touch(second, first) : self.probe_->touch(first, second))
+        if (self.probe_->touch(first, second))
             return;
         if (dGeomIsSpace(first) != 0 || dGeomIsSpace(second) != 0)
         {

@@ -41,23 +41,18 @@ public:
         return tool;
     }
 
-    /// A touch of this object, up to 5 mm deep.
-    Touch touch(std::uintptr_t object)
-    {
-        Touch touch;
-        touch.point = in_cube(1);
-        touch.normal = direction();
-        touch.depth = between(0, 0.005);
-        touch.surface_velocity = in_cube(0.5);
-        touch.object = object;
-        return touch;
-    }
-
+    /// Touches of the objects 1 to `count`, up to 5 mm deep.
     std::vector<Touch> touches(int count)
     {
-        std::vector<Touch> result;
-        for (int object = 1; object <= count; ++object)
-            result.push_back(touch(static_cast<std::uintptr_t>(object)));
+        std::vector<Touch> result(static_cast<std::size_t>(count));
+        for (Touch &touch : result)
+        {
+            touch.point = in_cube(1);
+            touch.normal = direction();
+            touch.depth = between(0, 0.005);
+            touch.surface_velocity = in_cube(0.5);
+            touch.object = static_cast<std::uintptr_t>(&touch - result.data() + 1);
+        }
         return result;
     }
 
