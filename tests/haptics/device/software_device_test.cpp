@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
+#include <set>
 
 namespace ode_predictive_space::haptics
 {
@@ -46,6 +48,15 @@ template <typename Call> DeviceFault fault_of(Call call)
     const DeviceError error = error_of<DeviceError>(call);
     EXPECT_NE(std::string(error.what()).find("clock"), std::string::npos) << "it names the device";
     return error.fault();
+}
+
+TEST(DeviceError, EveryFaultHasANameOfItsOwn)
+{
+    std::set<std::string> names;
+    for (int fault = 0; fault <= static_cast<int>(DeviceFault::not_open); ++fault)
+        names.insert(name_of(static_cast<DeviceFault>(fault)));
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(DeviceFault::not_open) + 1);
+    EXPECT_EQ(names.count("unknown"), 0u);
 }
 
 TEST(SoftwareDevice, CannotBeUsedUnlessOpen)

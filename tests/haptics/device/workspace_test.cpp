@@ -28,15 +28,10 @@ WorkspacePlacement random_placement(RandomNumbers &random)
     return placement;
 }
 
-double angle_between(const Quaternion &a, const Quaternion &b)
-{
-    return a.angularDistance(b);
-}
-
 void expect_same(const ToolState &a, const ToolState &b, double tolerance)
 {
     EXPECT_NEAR((a.position - b.position).norm(), 0, tolerance);
-    EXPECT_NEAR(angle_between(a.orientation, b.orientation), 0, tolerance);
+    EXPECT_NEAR(a.orientation.angularDistance(b.orientation), 0, tolerance);
     EXPECT_NEAR((a.linear_velocity - b.linear_velocity).norm(), 0, tolerance);
     EXPECT_NEAR((a.angular_velocity - b.angular_velocity).norm(), 0, tolerance);
 }
@@ -145,7 +140,7 @@ TEST(WorkspaceMapping, WhenTheClutchIsLetGoNothingJumps)
             EXPECT_FALSE(mapping.clutched());
             const ToolState after = mapping.to_scene(let_go);
             EXPECT_NEAR((after.position - before.position).norm(), 0, 1e-12);
-            EXPECT_NEAR(angle_between(after.orientation, before.orientation), 0, 1e-7);
+            EXPECT_NEAR(after.orientation.angularDistance(before.orientation), 0, 1e-7);
 
             DeviceState moved = let_go;
             const Quaternion turn = random.rotation();
@@ -156,7 +151,7 @@ TEST(WorkspaceMapping, WhenTheClutchIsLetGoNothingJumps)
             const Vector3 step = placement.scale * (placement.rotation * Vector3(0.01, 0, 0));
             const Quaternion turned = placement.rotation * turn * placement.rotation.conjugate();
             EXPECT_NEAR((tool.position - after.position - step).norm(), 0, 1e-12);
-            EXPECT_NEAR(angle_between(tool.orientation, turned * after.orientation), 0, 1e-7);
+            EXPECT_NEAR(tool.orientation.angularDistance(turned * after.orientation), 0, 1e-7);
         }
     }
 }

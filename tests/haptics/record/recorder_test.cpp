@@ -51,6 +51,15 @@ bool add(Recorder &recorder, double time)
     return recorder.add(time, DeviceState(), Vector3(time, 0, 0));
 }
 
+Recording recording_of_one_tick(const Capabilities &device, const std::string &law = {})
+{
+    const ScratchFile file;
+    Recorder recorder(file.path(), device, law, Flush::by_caller);
+    add(recorder, 0);
+    recorder.close();
+    return read_recording(file.path());
+}
+
 TEST(Recorder, WhatIsReadIsWhatWasRecordedBitByBit)
 {
     const ScratchFile file;
@@ -108,20 +117,15 @@ TEST(Recorder, OnAFullDiskSaysSoFromTheNextTickOn)
 
 TEST(Recorder, CutsANameThatTheReaderWouldNotTake)
 {
-    const ScratchFile file;
     Capabilities device;
     device.name = std::string(2 * longest_recorded_line, 'n');
-    Recorder recorder(file.path(), device, Flush::by_caller);
-    add(recorder, 0);
-    recorder.close();
-    const std::string name = read_recording(file.path()).device->name;
+    const std::string name = recording_of_one_tick(device).device->name;
     EXPECT_EQ(name, device.name.substr(0, name.size()));
     EXPECT_GT(name.size(), longest_recorded_line / 2);
 }
 
 TEST(Recorder, KeepsWhatTheDeviceCanDo)
 {
-    const ScratchFile file;
     Capabilities device;
     device.name = "two\nlines of name";
     device.input_axes = 6;
@@ -131,10 +135,7 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
     device.rate = 4000;
     device.delay = 1 / 300.0;
     device.workspace = {Vector3(-0.1, -0.2, -0.3), Vector3(0.1, 0.2, 1 / 7.0)};
-    Recorder recorder(file.path(), device, Flush::by_caller);
-    add(recorder, 0);
-    recorder.close();
-    const Recording recording = read_recording(file.path());
+    const Recording recording = recording_of_one_tick(device);
     ASSERT_TRUE(recording.device);
     EXPECT_EQ(recording.device->name, "two lines of name");
     EXPECT_EQ(recording.device->input_axes, 6);
@@ -150,13 +151,9 @@ TEST(Recorder, KeepsWhatTheDeviceCanDo)
 
 TEST(Recorder, KeepsTheNameOfTheLaw)
 {
-    const ScratchFile file;
     for (const std::string law : {"proxy", "penalty", ""})
     {
-        Recorder recorder(file.path(), any_device(), law, Flush::by_caller);
-        add(recorder, 0);
-        recorder.close();
-        const Recording recording = read_recording(file.path());
+        const Recording recording = recording_of_one_tick(any_device(), law);
         EXPECT_EQ(recording.law, law);
         EXPECT_EQ(recording.ticks.size(), 1U);
     }

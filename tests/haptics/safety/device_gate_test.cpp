@@ -12,33 +12,6 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-class DeviceGateTest : public testing::Test
-{
-protected:
-    DeviceGateTest() : device_([](double seconds) -> Vector3 { return {seconds, 0, 0}; })
-    {
-        device_.open();
-        device_.read(0);
-    }
-
-    ScriptedDevice device_;
-};
-
-TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
-{
-    DeviceGate gate(device_);
-    gate.write(push(1));
-    EXPECT_TRUE(gate.close_with_zero(0));
-    EXPECT_EQ(device_.last_wrench().force.z(), 0);
-    EXPECT_FALSE(gate.write(push(2))) << "what was computed before the stall";
-    EXPECT_FALSE(gate.write({Vector3::Zero(), Vector3(1, 0, 0)})) << "nor a torque";
-    EXPECT_EQ(device_.last_wrench().force.z(), 0);
-    EXPECT_TRUE(gate.notice_closing());
-    EXPECT_FALSE(gate.notice_closing());
-    EXPECT_TRUE(gate.write(push(3)));
-    EXPECT_EQ(device_.last_wrench().force.z(), 3);
-}
-
 class NosyDevice : public ScriptedDevice
 {
 public:
@@ -46,56 +19,79 @@ public:
 
     void write(const Wrench &wrench) override
     {
+        if (before)
+            std::exchange(before, {})();
         ScriptedDevice::write(wrench);
         if (inside)
             inside();
     }
 
+    std::function<void()> before; ///< called once, before a write takes effect
     std::function<void()> inside;
 };
 
+class DeviceGateTest : public testing::Test
+{
+protected:
+    DeviceGateTest()
+    {
+        device_.open();
+        device_.read(0);
+    }
+
+    NosyDevice device_;
+    DeviceGate gate_{device_};
+};
+
+TEST_F(DeviceGateTest, AfterTheGuardNoForceIsWrittenUntilTheServoHasNoticed)
+{
+    gate_.write(push(1));
+    EXPECT_TRUE(gate_.close_with_zero(0));
+    EXPECT_EQ(device_.last_wrench().force.z(), 0);
+    EXPECT_FALSE(gate_.write(push(2))) << "what was computed before the stall";
+    EXPECT_FALSE(gate_.write({Vector3::Zero(), Vector3(1, 0, 0)})) << "nor a torque";
+    EXPECT_EQ(device_.last_wrench().force.z(), 0);
+    EXPECT_TRUE(gate_.notice_closing());
+    EXPECT_FALSE(gate_.notice_closing());
+    EXPECT_TRUE(gate_.write(push(3)));
+    EXPECT_EQ(device_.last_wrench().force.z(), 3);
+}
+
 TEST_F(DeviceGateTest, NobodyEntersWhileAnotherIsInside)
 {
-    NosyDevice device;
-    device.open();
-    DeviceGate gate(device);
     bool closed = true;
-    device.inside = [&] { closed = gate.close_with_zero(0); };
-    EXPECT_TRUE(gate.write(push(1)));
+    device_.inside = [&] { closed = gate_.close_with_zero(0); };
+    EXPECT_TRUE(gate_.write(push(1)));
     EXPECT_FALSE(closed);
 
     bool read = true;
     bool written = true;
-    device.inside = [&] {
+    device_.inside = [&] {
         DeviceState state;
-        read = gate.read(1, state);
-        written = gate.write(push(2));
+        read = gate_.read(1, state);
+        written = gate_.write(push(2));
     };
-    EXPECT_TRUE(gate.close_with_zero(0));
+    EXPECT_TRUE(gate_.close_with_zero(0));
     EXPECT_FALSE(read);
     EXPECT_FALSE(written);
 }
 
 TEST_F(DeviceGateTest, ZeroIsWrittenWhenTheGuardFoundTheDeviceTaken)
 {
-    NosyDevice device;
-    device.open();
-    DeviceGate gate(device);
-    device.inside = [&] { gate.close_with_zero(0); };
-    EXPECT_TRUE(gate.write(push(1)));
-    device.inside = {};
-    EXPECT_FALSE(gate.write(push(2)));
-    EXPECT_EQ(device.last_wrench().force.z(), 1) << "the guard could not";
-    EXPECT_TRUE(gate.write(push(0)));
-    EXPECT_EQ(device.last_wrench().force.z(), 0);
-    EXPECT_TRUE(gate.notice_closing()) << "and it is still closed to forces";
+    device_.inside = [&] { gate_.close_with_zero(0); };
+    EXPECT_TRUE(gate_.write(push(1)));
+    device_.inside = {};
+    EXPECT_FALSE(gate_.write(push(2)));
+    EXPECT_EQ(device_.last_wrench().force.z(), 1) << "the guard could not";
+    EXPECT_TRUE(gate_.write(push(0)));
+    EXPECT_EQ(device_.last_wrench().force.z(), 0);
+    EXPECT_TRUE(gate_.notice_closing()) << "and it is still closed to forces";
 }
 
 TEST_F(DeviceGateTest, TellsWhenTheGuardTookTheForce)
 {
-    DeviceGate gate(device_);
-    gate.close_with_zero(3.5);
-    EXPECT_EQ(gate.last_zero(), 3.5);
+    gate_.close_with_zero(3.5);
+    EXPECT_EQ(gate_.last_zero(), 3.5);
 }
 
 TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
@@ -113,59 +109,38 @@ TEST_F(DeviceGateTest, ADeviceThatTakesNoZeroIsLetGoOf)
 
 TEST_F(DeviceGateTest, ShutInTheThreadThatIsInsideItWritesZeroAtOnce)
 {
-    NosyDevice device;
-    device.open();
-    DeviceGate gate(device);
     double force_after_shut = 1;
-    device.inside = [&, first = true]() mutable {
+    device_.inside = [&, first = true]() mutable {
         if (std::exchange(first, false))
         {
-            gate.shut();
-            force_after_shut = device.last_wrench().force.z();
+            gate_.shut();
+            force_after_shut = device_.last_wrench().force.z();
         }
     };
-    EXPECT_TRUE(gate.write(push(1)));
+    EXPECT_TRUE(gate_.write(push(1)));
     EXPECT_EQ(force_after_shut, 0) << "this call may never return";
-    EXPECT_FALSE(gate.write(push(2)));
+    EXPECT_FALSE(gate_.write(push(2)));
 }
 
 /// Another thread shuts its gate before a write takes effect.
 TEST_F(DeviceGateTest, WhatIsWrittenAfterItWasShutGoesAtOnce)
 {
-    class SlowDevice : public NosyDevice
-    {
-    public:
-        void write(const Wrench &wrench) override
-        {
-            if (before)
-                std::exchange(before, {})();
-            NosyDevice::write(wrench);
-        }
-
-        std::function<void()> before;
-    };
-    SlowDevice device;
-    device.open();
-    DeviceGate gate(device);
     double force_after_shut = 1;
-    gate.write(push(1));
-    device.before = [&] {
-        std::thread([&] { gate.shut(); }).join();
-        force_after_shut = device.last_wrench().force.z();
+    gate_.write(push(1));
+    device_.before = [&] {
+        std::thread([&] { gate_.shut(); }).join();
+        force_after_shut = device_.last_wrench().force.z();
     };
-    gate.write(push(2));
+    gate_.write(push(2));
     EXPECT_EQ(force_after_shut, 0) << "though the device was taken";
-    EXPECT_EQ(device.last_wrench().force.z(), 0);
+    EXPECT_EQ(device_.last_wrench().force.z(), 0);
 }
 
 TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
 {
-    NosyDevice device;
-    device.open();
-    DeviceGate gate(device);
     int inside = 0; // not atomic: the gate orders it, or ThreadSanitizer reports a race
     bool crowded = false;
-    device.inside = [&] {
+    device_.inside = [&] {
         crowded = crowded || inside != 0;
         ++inside;
         --inside;
@@ -173,12 +148,12 @@ TEST_F(DeviceGateTest, TwoThreadsAreNeverInsideAtOnce)
     std::atomic<bool> over{false};
     std::thread guard([&] {
         while (!over)
-            gate.close_with_zero(0);
+            gate_.close_with_zero(0);
     });
     for (int i = 0; i < 20000; ++i)
     {
-        gate.notice_closing();
-        gate.write(push(i));
+        gate_.notice_closing();
+        gate_.write(push(i));
     }
     over = true;
     guard.join();

@@ -8,7 +8,6 @@
 #include <memory>
 #include <sys/time.h>
 #include <thread>
-#include <vector>
 
 namespace ode_predictive_space::haptics
 {

@@ -5,7 +5,6 @@
 #include "tests/haptics/support/faulty_device.h"
 #include "tests/haptics/support/probe_fixture.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
 #include <utility>
@@ -170,16 +169,16 @@ TEST_F(PlausibilityTest, OneReadThatIsNotANumberDoesNotCostTheWall)
     }
 }
 
-class SpoiledDevice : public FaultyDevice
+class SpoiledDevice : public ScriptedDevice
 {
 public:
     using Place = double *(*)(DeviceState &);
 
-    SpoiledDevice(Device &device, Place place) : FaultyDevice(device), place_(place) {}
+    explicit SpoiledDevice(Place place) : ScriptedDevice(lean()), place_(place) {}
 
     DeviceState read(double time) override
     {
-        DeviceState state = FaultyDevice::read(time);
+        DeviceState state = ScriptedDevice::read(time);
         if (time > 1.7)
             *place_(state) = nan;
         return state;
@@ -197,8 +196,7 @@ TEST_F(PlausibilityTest, AStateThatIsNotANumberIsADeviceThatDoesNotAnswer)
     for (const SpoiledDevice::Place place : places)
     {
         NoticeList notices;
-        ScriptedDevice scripted(lean());
-        SpoiledDevice device(scripted, place);
+        SpoiledDevice device(place);
         ProbeWorld world;
         dCreatePlane(world.space, 0, 0, 1, 0);
         HapticProbe probe(device, world.space, radius, with_stiffness(stiffness, notices.sink()));
@@ -283,6 +281,5 @@ TEST_F(PlausibilityTest, TheDefaultLawIsAsStiffInTheHandAtEachScale)
     renderer.set_placement(settings.placement);
     EXPECT_NEAR(stiffness_in_hand(renderer), 500, 1e-9);
 }
-
 } // namespace
 } // namespace ode_predictive_space::haptics

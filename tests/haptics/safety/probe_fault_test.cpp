@@ -27,6 +27,17 @@ protected:
         ASSERT_NEAR(device_.last_wrench().force.z(), 800 * depth, 1e-9);
     }
 
+    void expect_to_wait_after(Breakage breakage)
+    {
+        HapticProbe probe(device_, world_.space, radius, with_stiffness(800, notices_.sink()));
+        press(probe);
+        device_.break_now(breakage);
+        world_.run(probe, 200);
+        device_.break_now(Breakage::none);
+        world_.run(probe, 110);
+        EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane: the stage waits";
+    }
+
     ProbeWorld world_;
     NoticeList notices_;
     ScriptedDevice scripted_;
@@ -66,25 +77,13 @@ TEST_F(ProbeFaultTest, ADeviceThatFailsIsTriedAgainTenTimesASecond)
 
 TEST_F(ProbeFaultTest, TheForceComesBackSlowlyWhenTheDeviceDoes)
 {
-    HapticProbe probe(device_, world_.space, radius, with_stiffness(800, notices_.sink()));
-    press(probe);
-    device_.break_now(Breakage::unreadable);
-    world_.run(probe, 200);
-    device_.break_now(Breakage::none);
-    world_.run(probe, 110);
+    expect_to_wait_after(Breakage::unreadable);
     EXPECT_EQ(notices_.count(NoticeKind::device), 2) << "it says that it is back";
-    EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane: the stage waits";
 }
 
 TEST_F(ProbeFaultTest, AfterLongNonsenseOfTheDeviceTheStageWaitsToo)
 {
-    HapticProbe probe(device_, world_.space, radius, with_stiffness(800));
-    press(probe);
-    device_.break_now(Breakage::not_a_number);
-    world_.run(probe, 200);
-    device_.break_now(Breakage::none);
-    world_.run(probe, 110);
-    EXPECT_TRUE(device_.last_wrench().force.isZero(0)) << "the probe is deep in the plane";
+    expect_to_wait_after(Breakage::not_a_number);
 }
 
 TEST_F(ProbeFaultTest, AVelocityThatIsNotANumberEndsWithZeroForceAndANotice)

@@ -254,6 +254,5 @@ TEST(SafetyStage, HoldsBackWhatTheWatchdogDoesNotAllow)
         loop.tick(wrench_of(2), 0, 7); // clamped to 1
     EXPECT_EQ(loop.tick(wrench_of(2), 0, 7).force.y(), 2);
 }
-
 } // namespace
 } // namespace ode_predictive_space::haptics

@@ -1,5 +1,6 @@
 #include "ode_predictive_space/haptics/safety.h"
 #include "ode_predictive_space/haptics/safety/safety_stage.h"
+#include "ode_predictive_space/haptics/virtual_device.h"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +10,9 @@ namespace ode_predictive_space::haptics
 {
 namespace
 {
-Capabilities desktop()
+const Capabilities &desktop()
 {
-    Capabilities capabilities;
-    capabilities.name = "PHANToM Desktop";
-    capabilities.max_force = 7.9;
-    capabilities.max_stiffness = 1000;
-    capabilities.max_damping = 5;
-    capabilities.rate = 1000;
-    return capabilities;
+    return device_preset("PHANToM Desktop");
 }
 
 Rendering rendering_of(double stiffness, double rate = 1000)

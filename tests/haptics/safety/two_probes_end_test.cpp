@@ -54,19 +54,15 @@ protected:
             end(first, device);
         });
     }
-
-    void expect_refusal(const ProgramEnd &end)
-    {
-        expect_abort(end);
-        EXPECT_TRUE(end.says("Another probe renders to this device")) << end.messages;
-        expect_zero();
-    }
 };
 
 TEST_F(SecondProbeEnds, OnOneDeviceItEndsAProgramThatDoesNotCatchThat)
 {
-    expect_refusal(end_after_pressing(
-        [](LeaningProbe &first, Device &device) { const HapticProbe second(device, first.world().space, radius); }));
+    const ProgramEnd end = end_after_pressing(
+        [](LeaningProbe &first, Device &device) { const HapticProbe second(device, first.world().space, radius); });
+    expect_abort(end);
+    EXPECT_TRUE(end.says("Another probe renders to this device")) << end.messages;
+    expect_zero();
 }
 
 TEST_F(SecondProbeEnds, CaughtItLeavesTheFirstAloneAndStillGuarded)
@@ -162,23 +158,16 @@ TEST_F(DriverEnds, WithItsLockHeldTheProgramEndsAllTheSameAndSaysWhatIsLeft)
 
 HapticProbe *probe_of_handler = nullptr;
 
-void ask_and_abort()
-{
-    probe_of_handler->is_taken();
-    std::abort();
-}
-
-using HandlerEnds = ProgramEnds;
+using HandlerEnds = SecondProbeEnds;
 
 TEST_F(HandlerEnds, MayUseAProbeThatHasThrown)
 {
-    const ProgramEnd end = end_of_pressing([&] {
-        const OdeUse ode;
-        SharedDevice device(force_);
-        LeaningProbe first(device, force_);
-        first.press();
+    const ProgramEnd end = end_after_pressing([](LeaningProbe &first, Device &) {
         probe_of_handler = &first.probe();
-        std::set_terminate(&ask_and_abort);
+        std::set_terminate([] {
+            probe_of_handler->is_taken();
+            std::abort();
+        });
         first.probe().take(std::make_shared<ActiveRun>());
         first.probe().take(std::make_shared<ActiveRun>());
     });

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <stdexcept>
-#include <thread>
 
 #include "tests/haptics/support/constants.h"
 #include "tests/haptics/support/random_numbers.h"
@@ -249,24 +248,6 @@ TEST(Watchdog, RefusesRatesThatCannotBe)
 {
     EXPECT_THROW(WatchdogLimits::of(0, 1), std::invalid_argument);
     EXPECT_THROW(WatchdogLimits::of(1, -1), std::invalid_argument);
-}
-
-TEST(Watchdog, PhysicsAndTheServoLoopMayBeDifferentThreads)
-{
-    Watchdog watchdog;
-    std::thread physics([&] {
-        for (int i = 0; i < 20000; ++i)
-            watchdog.physics_fresh(i * dt);
-    });
-    for (int i = 0; i < 20000; ++i)
-    {
-        watchdog.device_answered(true);
-        watchdog.servo_ticked(i * dt);
-        ASSERT_LE(watchdog.factor(), 1);
-    }
-    physics.join();
-    watchdog.servo_ticked(20000 * dt);
-    EXPECT_EQ(watchdog.reason(), WatchdogReason::none);
 }
 } // namespace
 } // namespace ode_predictive_space::haptics

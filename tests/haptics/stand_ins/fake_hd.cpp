@@ -48,7 +48,7 @@ void run_scheduler()
             --state.steps;
         changed.notify_all();
         if (!state.is_paused)
-            changed.wait_for(lock, std::chrono::duration<double>(1 / state.rate), [] { return !state.is_running; });
+            changed.wait_for(lock, std::chrono::duration<double>(1.0 / servo_rate), [] { return !state.is_running; });
     }
 }
 } // namespace
@@ -85,11 +85,6 @@ void hdMakeCurrentDevice(std::uint32_t device)
         raise(bad_handle);
 }
 
-std::uint32_t hdGetCurrentDevice()
-{
-    return device_handle;
-}
-
 void hdBeginFrame(std::uint32_t device)
 {
     const std::lock_guard<std::mutex> lock(mutex);
@@ -98,7 +93,7 @@ void hdBeginFrame(std::uint32_t device)
     if (device != device_handle || !state.is_initialised)
         raise(bad_handle);
     state.is_in_frame = true;
-    state.motion(static_cast<double>(state.frames) / state.rate, &state.pose);
+    state.motion(static_cast<double>(state.frames) / servo_rate, &state.pose);
 }
 
 void hdEndFrame(std::uint32_t)
@@ -109,7 +104,7 @@ void hdEndFrame(std::uint32_t)
         raise(frame_error);
     state.is_in_frame = false;
     state.force = state.next_force;
-    state.frames_without_force = state.force == no_force ? state.frames_without_force + 1 : 0;
+    state.frames_without_force = state.force.isZero(0) ? state.frames_without_force + 1 : 0;
 }
 
 ErrorInfo hdGetError()
@@ -144,12 +139,6 @@ void hdDisable(std::uint32_t option)
     const std::lock_guard<std::mutex> lock(mutex);
     if (begin("hdDisable"))
         state.enabled.erase(option);
-}
-
-std::uint8_t hdIsEnabled(std::uint32_t option)
-{
-    const std::lock_guard<std::mutex> lock(mutex);
-    return state.enabled.count(option) != 0;
 }
 
 void hdGetDoublev(std::uint32_t name, double *values)
@@ -216,7 +205,7 @@ void hdSetDoublev(std::uint32_t name, const double *values)
     else if (!state.is_in_frame)
         raise(frame_error);
     else
-        state.next_force.assign(values, values + 3);
+        state.next_force = Eigen::Vector3d(values);
 }
 
 void hdStartScheduler()

@@ -3,13 +3,12 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_STATE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_HD_STATE_H
 
-#include "tests/haptics/stand_ins/fake_hd.h"
+#include "tests/haptics/stand_ins/fake_hd_control.h"
 
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace fake_hd
@@ -33,9 +32,7 @@ struct Scheduled
     void *data;
 };
 
-using Force = std::vector<double>;
-inline const Force no_force{0, 0, 0};
-
+constexpr int servo_rate = 1000; // Hz
 constexpr std::uint32_t device_handle = 7;
 constexpr std::uint32_t invalid_handle = 0xFFFFFFFF;
 constexpr std::uint32_t force_output = 0x4000;
@@ -55,8 +52,7 @@ inline void stay_at_the_origin(double, FakeHdPose *pose)
 struct State
 {
     void (*motion)(double, FakeHdPose *) = stay_at_the_origin;
-    double rate = 1000;
-    int told_rate = 1000;
+    int told_rate = servo_rate;
     std::uint32_t calibration = 0x5000;
     std::uint32_t calibration_after_update = 0x5000;
     std::map<std::string, Failure> failures;
@@ -67,10 +63,10 @@ struct State
     bool is_in_frame = false;
     std::set<std::uint32_t> enabled;
     FakeHdPose pose{};
-    Force next_force = no_force;
-    Force force = no_force;
+    Eigen::Vector3d next_force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
     std::uint64_t frames_without_force = 0;
-    Force force_at_stop = no_force;
+    Eigen::Vector3d force_at_stop = Eigen::Vector3d::Zero();
     std::uint64_t frames_without_force_at_stop = 0;
 
     bool is_running = false;
@@ -81,7 +77,11 @@ struct State
     std::map<unsigned long, Scheduled> scheduled;
     unsigned long next_schedule = 1;
 
-    Force playing() const { return is_initialised && enabled.count(force_output) != 0 ? force : no_force; }
+    Eigen::Vector3d playing() const
+    {
+        const bool is_on = is_initialised && enabled.count(force_output) != 0;
+        return is_on ? force : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    }
 };
 
 inline std::mutex mutex;

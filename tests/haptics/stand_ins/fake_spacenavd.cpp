@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -33,11 +32,6 @@ void write_to(int client, const void *data, std::size_t size)
 
 FakeSpacenavd::FakeSpacenavd(SpacenavdManner manner) : manner_(manner)
 {
-    std::string folder = (std::filesystem::temp_directory_path() / "spacenavd_XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr)
-        throw std::runtime_error("no temporary folder");
-    folder_ = folder;
-    path_ = folder_ + "/spnav.sock";
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     path_.copy(address.sun_path, sizeof address.sun_path - 1);
@@ -52,7 +46,6 @@ FakeSpacenavd::~FakeSpacenavd()
 {
     stop();
     unsetenv("SPNAV_SOCKET");
-    std::filesystem::remove_all(folder_);
 }
 
 void FakeSpacenavd::stop()

@@ -3,6 +3,8 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_SPACENAVD_H
 #define ODE_PREDICTIVE_SPACE_TESTS_HAPTICS_STAND_INS_FAKE_SPACENAVD_H
 
+#include "tests/support/scratch.h"
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -52,8 +54,8 @@ private:
     void answer(int client, Message question);
 
     const SpacenavdManner manner_;
-    std::string folder_;
-    std::string path_;
+    const ode_predictive_space::ScratchFolder folder_;
+    const std::string path_ = folder_.path() + "/spnav.sock";
     int listener_ = -1;
     std::atomic<int> client_{-1};
     std::atomic<bool> is_ended_{false};
