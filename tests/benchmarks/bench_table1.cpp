@@ -1,7 +1,7 @@
 // The paper's Table 1, measured here: gains of the predictive space over four others in the paper's experiment, the world mix.
 
 #include "demos/runs/world_run.h"
-#include "tests/benchmarks/contenders.h"
+#include "tests/benchmarks/contenders/contenders.h"
 #include "tests/benchmarks/results.h"
 
 #include <array>

@@ -110,7 +110,7 @@ lacks 'apt-get .*source'
 
 calls_of demo --objects 30
 has 'apt-get install .*libcli11-dev'
-lacks "libgtest|libbenchmark|valgrind|matplotlib|$games"
+lacks "libgtest|libbenchmark|libbullet|valgrind|matplotlib|$games"
 has 'cmake -S . -B build/demo .*BUILD_TESTS=OFF'
 has 'cmake --build build/demo --target predictive_haptic_demo'
 count 1 'cmake --build'

@@ -36,7 +36,7 @@ void count_percentiles(benchmark::State &state, const std::vector<double> &micro
 std::string benchmark_name(const std::string &kind, const std::string &world, int objects, const std::string &space);
 
 /// Limit above which a contender is left out: a tick takes seconds (brute, simple), its table gigabytes (hash, n^2 / 8 bytes),
-/// its first tick minutes (quadtree).
+/// its first tick (quadtree) or its filling and emptying (bullet-sap) minutes.
 int most_objects(const std::string &contender);
 } // namespace ode_predictive_space::benchmarks
 

@@ -1,4 +1,4 @@
-// Times the worlds of demos/worlds in all spaces. Every claim is a ratio of one run, with the same motion.
+// Times the worlds of demos/worlds in all spaces and broad phases. Every claim is a ratio of one run, with the same motion.
 
 #include "demos/runs/spaces.h"
 #include "demos/runs/statistics.h"
@@ -32,7 +32,7 @@ int most_objects(const std::string &contender)
         return 1000;
     if (contender == "simple")
         return 5000;
-    return contender == "hash" || contender == "quadtree" ? 20000 : 1000000;
+    return contender == "hash" || contender == "quadtree" || contender == "bullet-sap" ? 20000 : 1000000;
 }
 } // namespace ode_predictive_space::benchmarks
 
@@ -42,7 +42,7 @@ using namespace ode_predictive_space::benchmarks;
 
 constexpr char help[] = "Usage: predictive_bench [--brief] [--benchmark_filter=PATTERN] [...]\n"
                         "\n"
-                        "Clocks worlds in the predictive space, in ODE's own and by brute force. Benchmarks:\n"
+                        "Clocks worlds in the predictive space, in ODE's own and in others. Benchmarks:\n"
                         "  collide/WORLD/N/SPACE  the calls that find a world's pairs\n"
                         "  tick/WORLD/N/SPACE     the whole tick, with motion, step and contacts\n"
                         "  contact/WORLD/N/SPACE  the pairs, and dCollide() for each of them\n"

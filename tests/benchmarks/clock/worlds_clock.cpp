@@ -1,7 +1,7 @@
 #include "demos/runs/world_run.h"
 #include "tests/benchmarks/clock/agreement.h"
 #include "tests/benchmarks/clock/clocks.h"
-#include "tests/benchmarks/contenders.h"
+#include "tests/benchmarks/contenders/contenders.h"
 
 #include <algorithm>
 
@@ -91,17 +91,23 @@ void clock_world(benchmark::State &state, const Row &row, const std::string &spa
     check_pairs(state, run, row, part);
 }
 
-/// The simple space comes first, as the reference for the others.
-constexpr const char *contenders[] = {
-    "simple", "predictive-box", "predictive-sphere", "predictive-shape", "hash", "quadtree", "sap", "brute"};
-
-/// Brute force takes part only in the collide rows of scenes, without contacts.
+/// Contenders that are not ODE spaces take part only in the collide rows of scenes, without contacts.
 bool takes_part(const std::string &space, const Row &row, Part part)
 {
     if (row.objects > most_objects(space))
         return false;
-    return space != "brute" || (part == Part::collide && world_named(row.world).group == Group::scene &&
-                                row.world != "churn" && row.part.empty());
+    if (is_space(space))
+        return true;
+    return part == Part::collide && world_named(row.world).group == Group::scene && row.world != "churn" &&
+           row.part.empty();
+}
+
+/// The simple space comes first, as the reference for the others.
+std::vector<std::string> spaces_in_order()
+{
+    std::vector<std::string> names = contender_names();
+    std::stable_partition(names.begin(), names.end(), [](const std::string &name) { return name == "simple"; });
+    return names;
 }
 
 Row brief(Row row)
@@ -115,7 +121,7 @@ void register_row(const Row &row)
 {
     for (const Part part : {Part::collide, Part::tick, Part::contact})
     {
-        for (const std::string space : contenders)
+        for (const std::string &space : spaces_in_order())
         {
             if (!takes_part(space, row, part))
                 continue;
