@@ -1,8 +1,7 @@
-// A probe among still and moving objects at 1 kHz, with or without a window; or a comparison of spaces.
+// A probe among still and moving objects at 1 kHz, with or without a window.
 
 #include "demos/haptic/report.h"
-#include "demos/runs/result_records.h"
-#include "demos/runs/spaces.h"
+#include "demos/worlds/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 #include "ode_predictive_space/haptics/safety.h"
 #ifdef HAPTIC_DEMO_HAS_WINDOW
@@ -10,9 +9,12 @@
 #include "demos/window/window.h"
 #endif
 
+#include <cerrno>
+#include <cstring>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
-#include <optional>
 #include <stdexcept>
 
 namespace
@@ -20,22 +22,15 @@ namespace
 using namespace ode_predictive_space;
 using demo::Options;
 
-enum ExitStatus
-{
-    exit_well = 0,
-    exit_different_pairs = 1,
-    exit_failed = 2
-};
-
 constexpr double usual_seconds_without_window = 5;
 
 /// The reason for which a window cannot be opened; empty when it can.
 std::string what_a_window_lacks()
 {
 #ifdef HAPTIC_DEMO_HAS_WINDOW
-    return window::has_display() ? "" : "there is no display with OpenGL";
+    return window::has_display() ? "" : "as there is no display with OpenGL";
 #else
-    return "this build has none, as something was missing that CMake named";
+    return "as this build has none: something was missing that CMake named";
 #endif
 }
 
@@ -54,71 +49,69 @@ demo::RunResult run(const Options &options, bool in_window)
     return demo::HapticRun(options, factory, device, control, notice).run();
 }
 
-demo::Report run_probe(Options options, bool in_window)
+demo::RunResult run_as_asked(Options &options)
 {
-    if (options.device == "mouse" && !in_window)
+    const std::string lack = options.headless ? "as --headless says" : what_a_window_lacks();
+    const bool in_window = lack.empty();
+    if (!in_window && !options.screenshot_file.empty())
+        throw std::runtime_error("--screenshot needs a window: " + lack);
+    if (!in_window && options.device == "mouse")
         throw std::runtime_error("--device mouse needs a window, whose pointer moves the probe");
-    if (options.spaces.empty())
-        options.spaces = {"predictive"};
     if (!in_window && options.seconds == 0)
         options.seconds = usual_seconds_without_window;
-    const haptics::StopRequest stop_request; // signals end the loop with zero force, and the summary is printed
     if (in_window)
         std::cout << "The keys are listed in the window.\n" << std::flush;
     else
-        std::cout << "Running for " << options.seconds << " simulated seconds, without a window.\n" << std::flush;
-    return demo::report_of(options, run(options, in_window));
+        std::cout << "Running for " << options.seconds << " simulated seconds without a window, " << lack << ".\n"
+                  << std::flush;
+    const haptics::StopRequest stop_request; // signals end the loop with zero force, and the summary is printed
+    return run(options, in_window);
+}
+
+void check_writable(const std::string &file)
+{
+    if (file.empty())
+        return;
+    const bool existed = std::filesystem::exists(file);
+    errno = 0;
+    if (!std::ofstream(file, std::ios::app))
+        throw std::runtime_error(file + " cannot be written: " + std::strerror(errno));
+    if (!existed)
+        std::filesystem::remove(file);
 }
 
 void check_outputs(const Options &options)
 {
-    for (const std::string &file : {options.json_file, options.screenshot_file})
-    {
-        if (!file.empty())
-            worlds::check_writable(file);
-    }
+    check_writable(options.json_file);
+    check_writable(options.screenshot_file);
     if (!options.report_folder.empty())
         recording::prepare_folder(options.report_folder);
 }
 
-void write_report(const Options &options, const demo::Report &report)
+void write_results(const Options &options, const demo::RunResult &result)
 {
-    std::cout << report.page.text;
-    if (!options.json_file.empty())
-        worlds::write_json(options.json_file, report.json);
+    const recording::Page page = demo::page_of(options, result);
+    std::cout << page.text;
+    if (!options.json_file.empty() &&
+        !(std::ofstream(options.json_file) << demo::json_of(options, result).dump(2) << '\n').flush())
+        throw std::runtime_error(options.json_file + " cannot be written");
     if (!options.report_folder.empty())
-        std::cerr << "report: " << recording::write_page(options.report_folder, report.page) << std::endl;
+        std::cerr << "report: " << recording::write_page(options.report_folder, page) << std::endl;
 }
 
-demo::Report make_report(const Options &options)
-{
-    const std::string lack = options.headless ? "" : what_a_window_lacks();
-    const bool in_window = !options.headless && !options.compare && lack.empty();
-    if (!options.screenshot_file.empty() && !in_window)
-        throw std::runtime_error("--screenshot needs a window: " + lack);
-    if (in_window || options.wants_one_run)
-        return run_probe(options, in_window);
-    if (!lack.empty() && !options.compare)
-        std::cout << "No window: " << lack << ". The spaces are compared instead. With --device virtual the probe "
-                  << "runs without a window.\n\n";
-    return demo::compare_spaces(options);
-}
-
-int run_as_asked(int argc, char **argv)
+int run_program(int argc, char **argv)
 {
     Options options;
-    std::optional<int> status = demo::parse_command_line(argc, argv, options);
+    const std::optional<int> status = demo::parse_command_line(argc, argv, options);
     if (!status)
     {
         check_outputs(options);
         const worlds::OdeSession ode;
-        const demo::Report report = make_report(options);
-        write_report(options, report);
-        status = report.is_good ? exit_well : exit_different_pairs;
+        write_results(options, run_as_asked(options));
     }
     if (!std::cout.flush())
         throw std::runtime_error("standard output cannot be written");
-    return *status;
+    return status.value_or(0);
 }
 } // namespace
 
@@ -126,11 +119,11 @@ int main(int argc, char **argv)
 {
     try
     {
-        return run_as_asked(argc, argv);
+        return run_program(argc, argv);
     }
     catch (const std::exception &failure)
     {
         std::cerr << "predictive_haptic_demo: " << failure.what() << '\n';
-        return exit_failed;
+        return 2;
     }
 }

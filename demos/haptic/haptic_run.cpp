@@ -1,8 +1,6 @@
 #include "demos/haptic/haptic_run.h"
 
 #include "demos/haptic/room.h"
-#include "demos/runs/spaces.h"
-#include "demos/runs/world_run.h"
 #include "ode_predictive_space/haptics/penalty_law.h"
 #include "ode_predictive_space/haptics/proxy_law.h"
 
@@ -14,8 +12,6 @@ namespace ode_predictive_space::demo
 namespace
 {
 constexpr double usual_rate = 1000; // Hz
-
-using worlds::Clock;
 
 const haptics::Recording *recording_of(DemoDevice &device)
 {
@@ -37,11 +33,9 @@ std::shared_ptr<haptics::ForceLaw> make_law(const Options &options, const haptic
 
 HapticRun::HapticRun(const Options &options, const worlds::WorldFactory &factory, DemoDevice &device,
                      RunControl &control, const haptics::NoticeSink &notice)
-    : options_(options), device_(device), control_(control),
-      space_(worlds::make_space(worlds::space_named(options.spaces.front()), factory)),
-      world_(factory.make(space_.get())), room_(worlds::room_inside_walls(*world_, factory.bounds()))
+    : options_(options), device_(device), control_(control), scene_(options.space, factory)
 {
-    result_.step_seconds = factory.tick_seconds();
+    result_.step_seconds = scene_.step_seconds();
     result_.servo_seconds = 1 / servo_rate();
     const haptics::NoticeSink counted = [this, notice](const haptics::Notice &sent) {
         if (sent.kind == haptics::NoticeKind::guard || sent.kind == haptics::NoticeKind::watchdog)
@@ -70,29 +64,19 @@ bool HapticRun::decoupled() const
     return options_.decoupled || options_.rate > 0 || result_.step_seconds > 1 / usual_rate;
 }
 
-/// Finds a free start with a margin in the room; otherwise without a margin, up to two radii beyond the room.
-Vector3 HapticRun::free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const
-{
-    constexpr double roomy = 1.5 * probe_radius;
-    if (const auto place = worlds::free_place(scene(), wish, roomy, probe_radius, room))
-        return *place;
-    const Vector3 beyond = Vector3::Constant(2 * probe_radius);
-    return worlds::free_place(scene(), wish, probe_radius, probe_radius / 4, {room.min() - beyond, room.max() + beyond})
-        .value_or(wish);
-}
-
 /// The device's present position becomes a free start for the probe, and the whole room is within reach.
 haptics::WorkspacePlacement HapticRun::place_hand()
 {
-    const Vector3 reach = (room().sizes() / 2 - Vector3::Constant(probe_radius)).cwiseMax(probe_radius);
+    const Eigen::AlignedBox3d &room = scene_.room();
+    const Vector3 reach = (room.sizes() / 2 - Vector3::Constant(probe_radius)).cwiseMax(probe_radius);
     // The person looks along the scene's -x, as in the window: the device's x (right), y (up) and z (back) are its y, z and x.
     const haptics::Quaternion axes(0.5, 0.5, 0.5, 0.5);
-    const Eigen::AlignedBox3d within_reach(room().center() - reach, room().center() + reach);
+    const Eigen::AlignedBox3d within_reach(room.center() - reach, room.center() + reach);
     const Eigen::AlignedBox3d workspace = device_.capabilities().workspace;
     haptics::WorkspacePlacement placement = haptics::WorkspacePlacement::covering(within_reach, workspace, axes);
     const Vector3 at_device = device_.read(0).position;
     const Vector3 wish = placement.offset + placement.scale * (axes * at_device);
-    start_ = free_start(wish, within_reach);
+    start_ = worlds::free_place(scene_.world(), wish, probe_radius, within_reach);
     if (start_ != wish)
     {
         const Vector3 moved = (start_ - wish).cwiseAbs();
@@ -116,7 +100,7 @@ void HapticRun::make_probe(const haptics::NoticeSink &notice)
     settings.notice = notice;
     result_.law = settings.law->name();
     servo_log_.emplace(servo_rate(), options_.record_file, device_.capabilities(), result_.law, recording != nullptr);
-    probe_ = std::make_unique<haptics::HapticProbe>(device_, space_.get(), probe_radius, settings);
+    probe_ = std::make_unique<haptics::HapticProbe>(device_, scene_.space(), probe_radius, settings);
     probe_->set_recorder([this](const haptics::RenderedTick &tick) { servo_log_->add(tick); });
 }
 
@@ -157,45 +141,6 @@ void HapticRun::make_loop(const haptics::NoticeSink &notice)
     loop_ = std::make_unique<haptics::HapticLoop>(*probe_, settings);
 }
 
-void HapticRun::near_callback(void *run, dGeomID first, dGeomID second)
-{
-    auto &self = *static_cast<HapticRun *>(run);
-    if (self.probe_->touch(first, second))
-        self.near_.push_back(first == self.probe_geom() ? second : first);
-    else
-        worlds::PairList::collect(&self.pairs_, first, second);
-}
-
-void HapticRun::collide()
-{
-    pairs_.clear();
-    near_.clear();
-    const Clock::time_point begin = Clock::now();
-    dSpaceCollide(space_.get(), this, &near_callback);
-    const double seconds = worlds::seconds_between(begin, Clock::now());
-    collide_times_.add(seconds);
-    result_.collide_series.add(seconds);
-    result_.pairs += pairs_.size() + near_.size();
-    stands_still_ = control_.paused.load(std::memory_order_relaxed);
-    if (!stands_still_)
-        world_->respond(pairs_.sorted()); // a loop of two threads predicts motion with these contacts
-}
-
-/// After the forces of this step have been rendered.
-void HapticRun::advance()
-{
-    const Clock::time_point begin = Clock::now();
-    follow_contacts();
-    ++steps_;
-    if (stands_still_)
-        undo_pushes();
-    else
-        world_->advance();
-    const double seconds = worlds::seconds_between(begin, Clock::now());
-    servo_log_->step_took(seconds);
-    result_.advance_series.add(seconds);
-}
-
 void HapticRun::follow_contacts()
 {
     const auto is_touched = [&touches = probe_->touches()](dGeomID geom) {
@@ -203,43 +148,32 @@ void HapticRun::follow_contacts()
             return touch.depth > 0 && touch.object == haptics::object_of(geom);
         });
     };
+    const std::vector<dGeomID> &near = scene_.near_probe();
     touched_.clear();
-    std::copy_if(near_.begin(), near_.end(), std::back_inserter(touched_), is_touched);
+    std::copy_if(near.begin(), near.end(), std::back_inserter(touched_), is_touched);
     meetings_ = probe_->encounters();
-    encounter_log_.add(time(), meetings_, probe_->touches());
-}
-
-/// Takes the forces of the probe from the bodies near it. Otherwise the next step of the world would use these forces.
-void HapticRun::undo_pushes()
-{
-    for (const dGeomID geom : near_)
-    {
-        if (const dBodyID body = dGeomGetBody(geom); body != nullptr)
-        {
-            dBodySetForce(body, 0, 0, 0);
-            dBodySetTorque(body, 0, 0, 0);
-        }
-    }
+    encounter_log_.add(scene_.time(), meetings_, probe_->touches());
 }
 
 RunResult HapticRun::run(const std::function<void()> &after_step)
 {
     haptics::SceneWork work;
-    work.collide = [this] { collide(); };
-    work.advance = [this, &after_step](double) {
-        advance();
+    work.collide = [this] { scene_.collide(*probe_, control_.paused.load(std::memory_order_relaxed)); };
+    work.advance = [this, &after_step](double) { // the forces of this step have been rendered
+        follow_contacts();
+        servo_log_->step_took(scene_.advance());
         if (after_step)
             after_step();
     };
     result_.loop = loop_->run(work);
     servo_log_->close();
-    result_.collide = collide_times_.summary();
+    result_.scene = scene_.totals();
     result_.servo = servo_log_->totals();
     result_.contacts = encounter_log_.contacts();
     result_.stiffness = control_.stiffness;
     result_.lost_in_recording = servo_log_->lost_in_recording();
     result_.safety_notices = safety_notices_.load();
-    if (dSpaceIsPredictive(space_.get()) != 0)
+    if (dSpaceIsPredictive(scene_.space()) != 0)
         result_.encounters = encounter_log_.summary();
     compare_with_recording();
     return result_;

@@ -3,11 +3,10 @@
 
 #include "demos/haptic/demo_device.h"
 #include "demos/haptic/encounter_log.h"
+#include "demos/haptic/haptic_scene.h"
 #include "demos/haptic/options.h"
 #include "demos/haptic/servo_log.h"
-#include "demos/worlds/world.h"
 #include "ode_predictive_space/haptics/loop.h"
-#include "ode_predictive_space/haptics/loop/time_histogram.h"
 
 #include <optional>
 
@@ -19,15 +18,12 @@ struct RunResult
 {
     std::string law; ///< its name
     haptics::LoopReport loop;
-    haptics::TimeSummary collide; ///< s; in dSpaceCollide()
+    SceneTotals scene;
     ServoTotals servo;
-    double step_seconds = 0;                    ///< simulated, of a value in the two series below
-    recording::BoundedSeries collide_series{};  ///< s; in dSpaceCollide()
-    recording::BoundedSeries advance_series{};  ///< s; contacts, forces and the step of the world
+    double step_seconds = 0;                    ///< simulated, of a value in the scene's series
     double servo_seconds = 0;                   ///< simulated, of a value in the servo's series
     std::optional<EncounterSummary> encounters; ///< in a predictive space
     std::vector<LoggedContact> contacts;
-    std::uint64_t pairs = 0;                         ///< reported by the space, summed over the steps
     std::optional<haptics::ForceError> replay_error; ///< of a replay: against the recorded forces
     std::uint64_t replayed_ticks = 0;                ///< number of compared ticks
     double stiffness = 0;                            ///< N/m, at the hand; at the end
@@ -43,7 +39,7 @@ struct RunControl
     std::atomic<double> stiffness{0}; ///< N/m, at the hand
 };
 
-/// Scene, space, probe and loop, created for each run. Unless noted, all functions are for the thread that calls run(), and for
+/// Scene, probe and loop, created for each run. Unless noted, all functions are for the thread that calls run(), and for
 /// the function that run() calls after each step.
 class HapticRun
 {
@@ -65,16 +61,12 @@ public:
     haptics::LoopReport report() const { return loop_->report(); } ///< from any thread
     ServoLog &servo_log() { return *servo_log_; }
 
-    double time() const { return static_cast<double>(steps_) * result_.step_seconds; } ///< s; simulated
-    const worlds::World &scene() const { return *world_; }
+    const HapticScene &scene() const { return scene_; }
     const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
-    const worlds::PairList &pairs() const { return pairs_; }         ///< of the last step, without the probe's
-    const std::vector<dGeomID> &near_probe() const { return near_; } ///< in the last step
     const std::vector<dGeomID> &touched() const { return touched_; } ///< in the last step
     const std::vector<haptics::Encounter> &meetings() const { return meetings_; }
-    const Eigen::AlignedBox3d &room() const { return room_; }             ///< m; inside the walls
     double max_force() const { return device_.capabilities().max_force; } ///< N
     double max_stiffness() const { return max_stiffness_; }               ///< N/m, at the hand
     double servo_rate() const;                                            ///< Hz
@@ -85,30 +77,18 @@ private:
     void make_adjustable();
     void make_loop(const haptics::NoticeSink &notice);
     haptics::WorkspacePlacement place_hand();
-    Vector3 free_start(const Vector3 &wish, const Eigen::AlignedBox3d &room) const;
-    void collide();
-    void advance();
     void follow_contacts();
-    void undo_pushes();
     void compare_with_recording();
-    static void near_callback(void *run, dGeomID first, dGeomID second);
 
     const Options &options_;
     DemoDevice &device_;
     RunControl &control_;
-    worlds::OwnedSpace space_;
-    std::unique_ptr<worlds::World> world_;
-    Eigen::AlignedBox3d room_;
+    HapticScene scene_;
     Vector3 start_ = Vector3::Zero(); ///< m
     double max_stiffness_ = 0;        ///< N/m, at the hand
-    worlds::PairList pairs_;
-    std::vector<dGeomID> near_;
     std::vector<dGeomID> touched_;
     std::vector<haptics::Encounter> meetings_;
     EncounterLog encounter_log_;
-    std::uint64_t steps_ = 0;
-    bool stands_still_ = false; ///< in the present step
-    haptics::TimeHistogram collide_times_;
     RunResult result_; ///< without what is known at the end only
     std::optional<ServoLog> servo_log_;
     std::atomic<std::uint64_t> safety_notices_{0}; ///< added to by the guard's thread and the servo's

@@ -11,7 +11,7 @@ namespace ode_predictive_space::demo
 struct Options
 {
     std::string scene = "mix";
-    std::vector<std::string> spaces; ///< empty: predictive alone, or all in a comparison
+    std::string space = "predictive";
     std::string device = "virtual";
     std::string law;        ///< empty: that of the recording in a replay, otherwise proxy
     double stiffness = 500; ///< N/m, at the hand
@@ -27,10 +27,8 @@ struct Options
     std::string json_file;
     std::string report_folder; ///< empty: no page
     bool headless = false;
-    bool compare = false;
     std::string screenshot_file;
     double screenshot_time = 1; ///< simulated seconds
-    bool wants_one_run = false; ///< an option was given that only a run of one probe in one space has
 };
 
 const std::vector<std::string> &scenes_for_probes();

@@ -8,17 +8,10 @@
 
 namespace ode_predictive_space::demo
 {
-struct Report
-{
-    recording::Page page; ///< its text is also printed
-    nlohmann::json json;
-    bool is_good = true; ///< false: compared spaces did not report the same pairs
-};
+/// What is printed; with plots, what is written with --report.
+recording::Page page_of(const Options &options, const RunResult &result);
 
-Report report_of(const Options &options, const RunResult &result);
-
-/// Measures the costs of spaces, alternating. ODE must be initialised.
-Report compare_spaces(const Options &options);
+nlohmann::json json_of(const Options &options, const RunResult &result);
 } // namespace ode_predictive_space::demo
 
 #endif

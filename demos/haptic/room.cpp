@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace ode_predictive_space::worlds
@@ -94,10 +95,9 @@ std::optional<Vector3> nearest_on_shell(const Obstacles &obstacles, const Vector
     }
     return nearest;
 }
-} // namespace
-
-std::optional<Vector3> free_place(const World &scene, const Vector3 &wish, double radius, double step,
-                                  const Eigen::AlignedBox3d &within)
+/// @param step m; of the lattice. @param within m; the place is in this box. @return nothing when there is no such place.
+std::optional<Vector3> nearest_free(const World &scene, const Vector3 &wish, double radius, double step,
+                                    const Eigen::AlignedBox3d &within)
 {
     const Obstacles obstacles(scene, radius);
     if (obstacles.is_free(wish))
@@ -109,5 +109,14 @@ std::optional<Vector3> free_place(const World &scene, const Vector3 &wish, doubl
             return place;
     }
     return {};
+}
+} // namespace
+
+Vector3 free_place(const World &scene, const Vector3 &wish, double radius, const Eigen::AlignedBox3d &room)
+{
+    if (const auto place = nearest_free(scene, wish, 1.5 * radius, radius, room))
+        return *place;
+    const Vector3 beyond = Vector3::Constant(2 * radius);
+    return nearest_free(scene, wish, radius, radius / 4, {room.min() - beyond, room.max() + beyond}).value_or(wish);
 }
 } // namespace ode_predictive_space::worlds

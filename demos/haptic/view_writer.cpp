@@ -31,7 +31,7 @@ bool is_wall(dGeomID geom, const Eigen::AlignedBox3d &room)
 } // namespace
 
 ViewWriter::ViewWriter(const HapticRun &run, haptics::Snapshot<window::SceneView> &views, double picture_time)
-    : run_(run), views_(views), picture_time_(picture_time), reader_(run.scene(), run.room())
+    : run_(run), views_(views), picture_time_(picture_time), reader_(run.scene().world(), run.scene().room())
 {}
 
 void ViewWriter::after_step()
@@ -41,7 +41,7 @@ void ViewWriter::after_step()
     if (holding_.load(std::memory_order_acquire))
         return;
     window::SceneView &view = views_.draft();
-    const bool for_picture = run_.time() >= picture_time_;
+    const bool for_picture = run_.scene().time() >= picture_time_;
     const bool complete =
         reader_.read(for_picture ? std::numeric_limits<std::size_t>::max() : geoms_per_step, view.geoms);
     const auto now = std::chrono::steady_clock::now();
@@ -59,9 +59,9 @@ void ViewWriter::after_step()
 
 void ViewWriter::finish(window::SceneView &view) const
 {
-    view.time = run_.time();
-    view.low = run_.room().min();
-    view.high = run_.room().max();
+    view.time = run_.scene().time();
+    view.low = run_.scene().room().min();
+    view.high = run_.scene().room().max();
     write_near_pairs(view.near_pairs);
     window::ProbeView &probe = view.probe;
     probe.position = run_.rendered().tool.position;
@@ -97,14 +97,14 @@ void ViewWriter::write_path(window::ProbeView &probe) const
 void ViewWriter::write_near_pairs(std::vector<window::NearPair> &pairs) const
 {
     pairs.clear();
-    for (const auto &[first, second] : run_.pairs().geoms())
+    for (const auto &[first, second] : run_.scene().pairs().geoms())
     {
-        if (!is_wall(first, run_.room()) && !is_wall(second, run_.room()))
+        if (!is_wall(first, run_.scene().room()) && !is_wall(second, run_.scene().room()))
             pairs.push_back(line_between(first, second, false));
     }
-    for (const dGeomID geom : run_.near_probe())
+    for (const dGeomID geom : run_.scene().near_probe())
     {
-        if (!is_wall(geom, run_.room()))
+        if (!is_wall(geom, run_.scene().room()))
             pairs.push_back(line_between(run_.probe_geom(), geom, true));
     }
 }

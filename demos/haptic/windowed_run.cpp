@@ -1,8 +1,7 @@
 #include "demos/haptic/windowed_run.h"
 
+#include "demos/haptic/numbers.h"
 #include "demos/haptic/view_writer.h"
-#include "demos/runs/table.h"
-#include "demos/runs/world_run.h"
 #include "demos/window/window.h"
 #include "ode_predictive_space/haptics/mouse_device.h"
 
@@ -21,8 +20,6 @@ constexpr double stiffness_step = 1.25;
 constexpr double softest = 10;       // N/m
 constexpr double notice_seconds = 5; // that a notice stays in the window
 constexpr double never = std::numeric_limits<double>::infinity();
-
-using worlds::fixed;
 
 /// State shared by both threads. The loop never waits for the window.
 class WindowedRun : public window::Shown
@@ -80,7 +77,8 @@ private:
     std::unique_ptr<ViewWriter> writer_; ///< of that run
     std::mutex notice_mutex_;
     std::string last_notice_;
-    worlds::Clock::time_point notice_time_;
+    haptics::MonotonicClock clock_;
+    double notice_time_ = -notice_seconds; ///< s
     RunResult result_;
     std::exception_ptr failure_;
 };
@@ -91,8 +89,8 @@ WindowedRun::WindowedRun(const Options &options, const worlds::WorldFactory &fac
       mouse_(dynamic_cast<haptics::MouseDevice *>(&device.inner())),
       picture_time_(options.screenshot_file.empty() ? never : options.screenshot_time)
 {
-    view_.heading = options.scene + ", " + worlds::grouped(static_cast<std::uint64_t>(options.objects)) + " objects, " +
-                    options.spaces.front();
+    view_.heading =
+        options.scene + ", " + grouped(static_cast<std::uint64_t>(options.objects)) + " objects, " + options.space;
     view_.chart_seconds = ServoLog::column_seconds;
 }
 
@@ -187,7 +185,7 @@ void WindowedRun::show(const haptics::Notice &notice)
     notice_(notice);
     const std::lock_guard<std::mutex> lock(notice_mutex_);
     last_notice_ = notice.sentence();
-    notice_time_ = worlds::Clock::now();
+    notice_time_ = clock_.now();
 }
 
 const window::View &WindowedRun::view()
@@ -198,7 +196,7 @@ const window::View &WindowedRun::view()
     }
     read_run();
     const std::lock_guard<std::mutex> lock(notice_mutex_);
-    const bool recent = worlds::seconds_between(notice_time_, worlds::Clock::now()) < notice_seconds;
+    const bool recent = clock_.now() - notice_time_ < notice_seconds;
     view_.notice = recent && !options_.fast ? last_notice_ : ""; // simulated time would be over before it is read
     return view_;
 }
@@ -232,7 +230,7 @@ void WindowedRun::read_loop(const haptics::LoopReport &report)
     readings.push_back({"real-time factor", fixed(report.real_time_factor, 2), report.real_time_factor < 0.95});
     readings.push_back({"period p50 / p99 / p99.9", times(report.period)});
     readings.push_back({"computation", times(report.compute)});
-    readings.push_back({"too long", worlds::grouped(report.overruns) + " of " + worlds::grouped(report.ticks)});
+    readings.push_back({"too long", grouped(report.overruns) + " of " + grouped(report.ticks)});
 }
 
 void WindowedRun::read_probe()
@@ -241,7 +239,7 @@ void WindowedRun::read_probe()
     const double force = view_.probe.force.norm();
     readings.push_back({"force", fixed(force, 2) + " N"});
     readings.push_back({"stiffness at the hand", fixed(control_.stiffness.load(), 0) + " N/m"});
-    readings.push_back({"near pairs", worlds::grouped(view_.near_pairs.size())});
+    readings.push_back({"near pairs", grouped(view_.near_pairs.size())});
     std::string next = "-";
     for (const window::Meeting &meeting : view_.probe.meetings)
     {
@@ -277,7 +275,7 @@ void WindowedRun::change_stiffness(double factor)
     if (wish > run_->max_stiffness())
     {
         const std::lock_guard<std::mutex> notice_lock(notice_mutex_);
-        notice_time_ = worlds::Clock::now();
+        notice_time_ = clock_.now();
         last_notice_ = "The device can render no more than " + fixed(run_->max_stiffness(), 0) + " N/m";
     }
 }

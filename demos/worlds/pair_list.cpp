@@ -6,18 +6,17 @@ namespace ode_predictive_space::worlds
 {
 const NearCallbacks PairList::near = near_callbacks<&PairList::collect>;
 
-std::size_t PairList::drop_pairs_apart()
+void PairList::drop_false_pairs(dSpaceID space)
 {
+    if (dGeomGetClass(reinterpret_cast<dGeomID>(space)) != dSweepAndPruneSpaceClass)
+        return;
     const auto apart = [](const std::pair<dGeomID, dGeomID> &pair) {
         dReal a[6], b[6];
         dGeomGetAABB(pair.first, a);
         dGeomGetAABB(pair.second, b);
         return !(a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5]);
     };
-    const auto end = std::remove_if(pairs_.begin(), pairs_.end(), apart);
-    const auto dropped = static_cast<std::size_t>(pairs_.end() - end);
-    pairs_.erase(end, pairs_.end());
-    return dropped;
+    pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), apart), pairs_.end());
 }
 
 std::vector<IndexPair> PairList::sorted() const

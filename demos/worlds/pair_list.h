@@ -70,9 +70,9 @@ public:
     /// The pairs in the order of their callbacks.
     const std::vector<std::pair<dGeomID, dGeomID>> &geoms() const { return pairs_; }
 
-    /// Drop the pairs whose bounding boxes do not overlap, and return their number. Only right after dSpaceCollide(), because
-    /// the present boxes are used.
-    std::size_t drop_pairs_apart();
+    /// ODE's sweep-and-prune space rounds its first axis to single precision: it reports pairs with a gap in the eighth digit.
+    /// Drops them if the pairs are that space's. Only right after dSpaceCollide(), because the present boxes are used.
+    void drop_false_pairs(dSpaceID space);
 
     /// In ascending order of the geoms' numbers: the same list for every space. Valid while the geoms live.
     std::vector<IndexPair> sorted() const;

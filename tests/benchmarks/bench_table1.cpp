@@ -1,7 +1,8 @@
 // The paper's Table 1, measured here: gains of the predictive space over four others in the paper's experiment, the world mix.
 
-#include "demos/runs/world_run.h"
 #include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/contenders/statistics.h"
+#include "tests/benchmarks/contenders/world_run.h"
 #include "tests/benchmarks/results.h"
 
 #include <array>
@@ -35,6 +36,9 @@ constexpr std::array<PaperRow, 5> paper = {{{20, {97.9, 83.3, 80.4, 82.1}},
                                             {100, {97.4, 32.7, 38.7, 39.9}}}};
 
 constexpr int warm_up_ticks = 100;
+constexpr int ticks_per_turn = 100;
+
+using WorldRuns = std::vector<std::unique_ptr<WorldRun>>;
 
 /// Mean microseconds per tick.
 struct Means
@@ -46,28 +50,42 @@ struct Means
 
 Means means_of(const WorldRun &run)
 {
-    const double broad = summarise(run.measured().collide_times).mean;
-    return {broad, broad + summarise(run.measured().contact_times).mean, summarise(run.measured().tick_times).mean};
+    const double broad = mean(run.measured().collide_times);
+    return {broad, broad + mean(run.measured().contact_times), mean(run.measured().tick_times)};
+}
+
+/// The runs alternate, and each round begins with another one: load, clock frequency and temperature affect all alike.
+void run_by_turns(const WorldRuns &runs, int ticks)
+{
+    std::size_t first = 0;
+    for (int done = 0; done < ticks; done += ticks_per_turn, ++first)
+    {
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            runs[(first + i) % runs.size()]->turn(std::min(ticks_per_turn, ticks - done));
+    }
 }
 
 std::vector<Means> measure(int objects, const std::string &ours, int ticks)
 {
     const WorldFactory factory({"mix", objects});
     WorldRuns runs;
-    runs.push_back(std::make_unique<WorldRun>(benchmarks::make_contender(ours, factory), factory));
+    runs.push_back(std::make_unique<WorldRun>(make_contender(ours, factory), factory));
     for (const Other &other : others)
-        runs.push_back(std::make_unique<WorldRun>(benchmarks::make_contender(other.name, factory), factory));
+        runs.push_back(std::make_unique<WorldRun>(make_contender(other.name, factory), factory));
     for (const auto &run : runs)
         run->measure_contacts();
     run_by_turns(runs, warm_up_ticks);
     for (const auto &run : runs)
         run->start_measuring();
     run_by_turns(runs, ticks);
-    if (first_difference(runs) >= 0)
-        throw std::runtime_error("the spaces did not report the same pairs");
     std::vector<Means> means;
+    const WorldRun &exact = *runs.back();
     for (const auto &run : runs)
+    {
+        if (run->contender().exact() && run->reported().tick_hashes != exact.reported().tick_hashes)
+            throw std::runtime_error("the spaces did not report the same pairs");
         means.push_back(means_of(*run));
+    }
     return means;
 }
 

@@ -1,6 +1,6 @@
 // Records each dSpaceCollide() and dSpaceCollide2() of a world on its predictive space, for ode-predictive replay.
 
-#include "demos/runs/spaces.h"
+#include "demos/worlds/spaces.h"
 #include "ode_predictive_space/recording/recorder.h"
 #include "tests/benchmarks/rows.h"
 
@@ -74,7 +74,7 @@ WorldSpec recorded_spec(const WorldSpec &spec)
 /// @return the number of the first event of each tick, and the one after the last.
 std::vector<std::size_t> run(const WorldFactory &factory, int ticks)
 {
-    OwnedSpace space(make_space(SpaceKind::predictive, factory));
+    OwnedSpace space(make_space("predictive-box", factory));
     const std::unique_ptr<World> world = factory.make(space.get());
     PairList pairs;
     std::vector<std::size_t> first_events;

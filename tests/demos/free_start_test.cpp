@@ -1,5 +1,5 @@
 #include "demos/haptic/haptic_run.h"
-#include "demos/runs/spaces.h"
+#include "demos/worlds/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 
 #include <gtest/gtest.h>
@@ -38,12 +38,11 @@ Start start_of(const std::string &scene, int objects, std::uint64_t seed, const 
 {
     const worlds::WorldFactory factory({scene, objects, seed, -1, false});
     Options options;
-    options.spaces = {"predictive"};
     DemoDevice device(haptics::make_device(device_name, seed));
     RunControl control;
     const HapticRun run(options, factory, device, control, [](const haptics::Notice &) {});
     const Vector3 place = run.start();
-    return {place, deepest_contact(run.scene(), place, HapticRun::probe_radius)};
+    return {place, deepest_contact(run.scene().world(), place, HapticRun::probe_radius)};
 }
 
 class FreeStart : public testing::Test

@@ -5,7 +5,7 @@
 
 #include "demos/haptic/options.h"
 #include "demos/haptic/report.h"
-#include "demos/runs/spaces.h"
+#include "demos/worlds/spaces.h"
 #include "ode_predictive_space/haptics/drivers.h"
 #include "tests/support/program.h"
 #include "tests/support/scratch.h"
@@ -66,19 +66,33 @@ TEST_F(ProbeRun, RunsInEverySceneThatItOffers)
 TEST_F(ProbeRun, RefusesWhatContradictsItself)
 {
     for (const char *options :
-         {"--compare --device virtual", "--space predictive,hash --fast", "--headless --screenshot a.png",
-          "--screenshot a.png --seconds 0.5", "--replay a.txt --device virtual"})
+         {"--headless --screenshot a.png", "--screenshot a.png --seconds 0.5", "--replay a.txt --device virtual"})
         EXPECT_EQ(run(HAPTIC_DEMO, options).status, 2) << options;
     EXPECT_EQ(run(HAPTIC_DEMO, "--help").status, 0);
 }
 
 TEST_F(ProbeRun, RefusesWhatItDoesNotKnow)
 {
-    for (const char *options :
-         {"everything", "--object 30", "--objects", "--objects many", "--objects 0", "--objects=100001",
-          "--objects 2.5", "--seed x", "--seconds 0.001", "--seconds -1", "--rate 99", "--law magnetism", "--scene",
-          "--space octree", "--space predictive,octree", "--space hash sap octree", "--headless 7 --fast",
-          "--headless=maybe", "--headless --device sponge"})
+    for (const char *options : {"everything",
+                                "--object 30",
+                                "--objects",
+                                "--objects many",
+                                "--objects 0",
+                                "--objects=100001",
+                                "--objects 2.5",
+                                "--seed x",
+                                "--seconds 0.001",
+                                "--seconds -1",
+                                "--rate 99",
+                                "--law magnetism",
+                                "--scene",
+                                "--space octree",
+                                "--space predictive,hash",
+                                "--space hash sap",
+                                "--compare",
+                                "--headless 7 --fast",
+                                "--headless=maybe",
+                                "--headless --device sponge"})
     {
         const Outcome outcome = run(HAPTIC_DEMO, options);
         EXPECT_EQ(outcome.status, 2) << options;
@@ -89,8 +103,7 @@ TEST_F(ProbeRun, RefusesWhatItDoesNotKnow)
 TEST_F(ProbeRun, PrintsNothingEmpty)
 {
     for (const char *options : {"--help", "--device virtual --objects 60 --seconds 1.2 --fast",
-                                "--device virtual --objects 1 --seconds 0.01 --fast", "--compare --seconds 0.05",
-                                "--compare --objects 1 --seconds 0.02"})
+                                "--device virtual --objects 1 --seconds 0.01 --fast"})
     {
         const Outcome outcome = run(HAPTIC_DEMO, std::string("--headless ") + options);
         EXPECT_EQ(outcome.status, 0) << outcome.output;
@@ -107,7 +120,6 @@ double force_sum(double stiffness)
 {
     const worlds::OdeSession ode;
     Options options;
-    options.spaces = {"predictive"};
     options.fast = true;
     options.seconds = 1.2;
     DemoDevice device(haptics::make_device("hand-path", options.seed)); // it moves whatever the force is
@@ -131,8 +143,7 @@ TEST(Summary, TellsOfSafetyNotices)
         RunResult result;
         result.safety_notices = notices;
         Options options;
-        options.spaces = {"predictive"};
-        const std::string text = report_of(options, result).page.text;
+        const std::string text = page_of(options, result).text;
         const std::string expected = std::to_string(notices) + (notices == 1 ? " notice that" : " notices that");
         EXPECT_EQ(contains(text, "Safety"), notices > 0) << text;
         EXPECT_EQ(contains(text, expected), notices > 0) << text;
@@ -141,14 +152,10 @@ TEST(Summary, TellsOfSafetyNotices)
 
 TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)
 {
-    for (const char *kind : {"--device virtual", "--compare"})
-    {
-        const Outcome outcome =
-            run(HAPTIC_DEMO, std::string("--headless --json /no/such/folder/a.json --seconds 0.1 ") + kind);
-        EXPECT_EQ(outcome.status, 2) << kind;
-        EXPECT_EQ(outcome.output,
-                  "predictive_haptic_demo: /no/such/folder/a.json cannot be written: No such file or directory\n");
-    }
+    const Outcome outcome = run(HAPTIC_DEMO, "--headless --json /no/such/folder/a.json --seconds 0.1");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.output,
+              "predictive_haptic_demo: /no/such/folder/a.json cannot be written: No such file or directory\n");
 }
 
 TEST_F(ProbeRun, ChecksFilesWithoutChangingThem)
@@ -161,6 +168,38 @@ TEST_F(ProbeRun, ChecksFilesWithoutChangingThem)
     EXPECT_EQ(text, "kept");
     EXPECT_EQ(run(HAPTIC_DEMO, "--replay /no/such/recording --headless --json '" + file("new.json") + "'").status, 2);
     EXPECT_FALSE(std::filesystem::exists(file("new.json")));
+}
+
+// Once, it ended with status 0, or 1 for the help.
+TEST_F(ProbeRun, FailsWhenItsOutputCannotBeWritten)
+{
+    for (const char *arguments : {"--help", "--headless --fast --objects 5 --seconds 0.02"})
+    {
+        const Outcome outcome = run("sh", "-c '" HAPTIC_DEMO " " + std::string(arguments) + " 2>&1 >/dev/full'");
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_TRUE(contains(outcome.output, "standard output cannot be written")) << outcome.output;
+    }
+}
+
+TEST_F(ProbeRun, FailsWhenAFileOfResultsIsFull)
+{
+    for (const char *option : {"--json", "--record"})
+    {
+        const Outcome outcome =
+            run(HAPTIC_DEMO, std::string(option) + " /dev/full --headless --fast --objects 5 --seconds 0.02");
+        EXPECT_EQ(outcome.status, 2) << option;
+        EXPECT_TRUE(contains(outcome.output, "/dev/full")) << outcome.output;
+    }
+}
+
+TEST(BesideOde, ComparesMediansWithinEightyColumns)
+{
+    const Outcome outcome = run(BESIDE_ODE, "");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_TRUE(contains(outcome.output, "medians")) << outcome.output;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 80u) << line;
 }
 } // namespace
 } // namespace ode_predictive_space::demo

@@ -59,9 +59,9 @@ std::string differences(const GeomPairs &expected, const std::vector<IndexPair> 
 }
 } // namespace
 
-ChurnedScene::ChurnedScene(const WorldSpec &spec, SpaceKind kind, int ticks_per_copy)
-    : factory_(spec), space_(make_space(kind, factory_)), scene_(factory_.make(space_.get())),
-      ticks_per_copy_(ticks_per_copy), by_shapes_(kind == SpaceKind::predictive_by_shapes), random_(spec.seed)
+ChurnedScene::ChurnedScene(const WorldSpec &spec, const std::string &space, int ticks_per_copy)
+    : factory_(spec), space_(make_space(space, factory_)), scene_(factory_.make(space_.get())),
+      ticks_per_copy_(ticks_per_copy), by_shapes_(space == "predictive-shape"), random_(spec.seed)
 {
     for (std::size_t number = 0; number < transients; ++number)
     {

@@ -3,9 +3,7 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
 #define ODE_PREDICTIVE_SPACE_TESTS_SOAK_CHURNED_SCENE_H
 
-#include "demos/runs/spaces.h"
-#include "demos/worlds/pair_list.h"
-#include "demos/worlds/world.h"
+#include "demos/worlds/spaces.h"
 #include "ode_predictive_space/haptics/device/random.h"
 
 #include <memory>
@@ -21,7 +19,7 @@ class ChurnedScene
 public:
     /// @param ticks_per_copy ticks after which the scene is made again in the same space, or 0. It is for scenes that do not
     ///         stay as they begin (a pile settles, an explosion ends), or that keep all numbers or all reaches of a hand.
-    ChurnedScene(const worlds::WorldSpec &spec, worlds::SpaceKind kind, int ticks_per_copy);
+    ChurnedScene(const worlds::WorldSpec &spec, const std::string &space, int ticks_per_copy);
     ~ChurnedScene();
     ChurnedScene(const ChurnedScene &) = delete;
     ChurnedScene &operator=(const ChurnedScene &) = delete;

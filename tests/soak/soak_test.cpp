@@ -15,7 +15,6 @@ namespace ode_predictive_space::soak
 {
 namespace
 {
-using worlds::SpaceKind;
 
 struct Case
 {
@@ -23,7 +22,7 @@ struct Case
     int objects;
     int ticks;
     int ticks_per_copy = 0; ///< see ChurnedScene
-    SpaceKind kind = SpaceKind::predictive;
+    std::string_view space = "predictive-box";
 };
 
 void PrintTo(const Case &one, std::ostream *stream)
@@ -35,7 +34,7 @@ std::string name_of(const ::testing::TestParamInfo<Case> &info)
 {
     const Case &one = info.param;
     return std::string(one.scene) + "_" + std::to_string(one.objects) +
-           (one.kind == SpaceKind::predictive_by_shapes ? "_by_shapes" : "");
+           (one.space == "predictive-shape" ? "_by_shapes" : "");
 }
 
 /// Memory of the process, in bytes.
@@ -121,7 +120,7 @@ private:
 Quarters Soak::run()
 {
     const Case &one = GetParam();
-    ChurnedScene scene({one.scene, one.objects}, one.kind, one.ticks_per_copy);
+    ChurnedScene scene({one.scene, one.objects}, std::string(one.space), one.ticks_per_copy);
     Quarters quarters;
     for (std::size_t i = 0; i < quarters.size() && !HasFatalFailure(); ++i)
     {
@@ -199,7 +198,7 @@ constexpr Case cases[] = {
     {"gas", 100, 600000},
     {"game", 100, 600000},
     {"classes", 100, 400000},
-    {"classes", 100, 200000, 0, SpaceKind::predictive_by_shapes},
+    {"classes", 100, 200000, 0, "predictive-shape"},
     {"pile", 100, 200000, 5000},
     {"stack", 100, 200000, 2000},
     {"terrain", 100, 600000},
@@ -212,7 +211,7 @@ constexpr Case cases[] = {
     {"gas", 1000, 700000},
     {"game", 1000, 600000},
     {"classes", 1000, 200000},
-    {"classes", 1000, 200000, 0, SpaceKind::predictive_by_shapes},
+    {"classes", 1000, 200000, 0, "predictive-shape"},
     {"pile", 1000, 20000, 1000},
     {"stack", 1000, 40000, 2000},
     {"terrain", 1000, 750000},
@@ -239,7 +238,7 @@ constexpr Case cases[] = {
     {"gas", 100, 40000},
     {"game", 100, 40000},
     {"classes", 100, 20000},
-    {"classes", 100, 20000, 0, SpaceKind::predictive_by_shapes},
+    {"classes", 100, 20000, 0, "predictive-shape"},
     {"pile", 100, 8000, 1000},
     {"stack", 100, 16000, 2000},
     {"terrain", 100, 20000},

@@ -1,10 +1,10 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CLOCK_AGREEMENT_H
 
-#include "demos/runs/table.h"
-
+#include <array>
 #include <benchmark/benchmark.h>
-#include <cstdint>
+#include <cinttypes>
+#include <cstdio>
 #include <map>
 #include <string>
 
@@ -23,7 +23,9 @@ public:
     /// Labels a benchmark with the hash. It fails if an earlier one of the row `what` had another hash.
     void check(benchmark::State &state, const std::string &what, std::uint64_t hash)
     {
-        state.SetLabel(worlds::hexadecimal(hash));
+        std::array<char, 17> text{};
+        std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
+        state.SetLabel(text.data());
         if (first_.emplace(what, hash).first->second == hash)
             return;
         holds_ = false;

@@ -29,8 +29,8 @@ void register_queries(Extent extent);
 /// life/WORLD/N/SPACE  the life of a space, from the first geom to the last
 void register_lives(Extent extent);
 
-/// p50, p99, p99.9 and maximum of a series of microseconds, as counters.
-void count_percentiles(benchmark::State &state, const std::vector<double> &microseconds);
+/// p50, p99, p99.9 and maximum of a series of microseconds, which is not empty, as counters.
+void count_percentiles(benchmark::State &state, std::vector<double> microseconds);
 
 /// For example "collide/gas/1000/sap".
 std::string benchmark_name(const std::string &kind, const std::string &world, int objects, const std::string &space);

@@ -1,9 +1,9 @@
 // Times the worlds of demos/worlds in all spaces and broad phases. Every claim is a ratio of one run, with the same motion.
 
-#include "demos/runs/spaces.h"
-#include "demos/runs/statistics.h"
+#include "demos/worlds/spaces.h"
 #include "tests/benchmarks/clock/agreement.h"
 #include "tests/benchmarks/clock/clocks.h"
+#include "tests/benchmarks/contenders/statistics.h"
 #include "tests/benchmarks/which_ode.h"
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace ode_predictive_space::benchmarks
 {
-void count_percentiles(benchmark::State &state, const std::vector<double> &microseconds)
+void count_percentiles(benchmark::State &state, std::vector<double> microseconds)
 {
-    const worlds::Statistics times = worlds::summarise(microseconds);
-    state.counters["p50"] = times.median;
-    state.counters["p99"] = times.p99;
-    state.counters["p99.9"] = times.p999;
-    state.counters["max"] = times.max;
+    std::sort(microseconds.begin(), microseconds.end());
+    state.counters["p50"] = percentile(microseconds, 500);
+    state.counters["p99"] = percentile(microseconds, 990);
+    state.counters["p99.9"] = percentile(microseconds, 999);
+    state.counters["max"] = microseconds.back();
 }
 
 std::string benchmark_name(const std::string &kind, const std::string &world, int objects, const std::string &space)

@@ -1,6 +1,8 @@
-#include "demos/runs/world_run.h"
 #include "tests/benchmarks/clock/agreement.h"
 #include "tests/benchmarks/clock/clocks.h"
+#include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/contenders/pair_hash.h"
+#include "tests/benchmarks/contenders/world_run.h"
 
 #include <algorithm>
 #include <ode_predictive_space/predictive_space.h>
@@ -38,8 +40,8 @@ void collide(dSpaceID space)
 class QueryRun
 {
 public:
-    QueryRun(SpaceKind kind, const Query &query)
-        : query_(query), factory_({query.world, query.objects}), contender_(make_contender(kind, factory_)),
+    QueryRun(const std::string &space, const Query &query)
+        : query_(query), factory_({query.world, query.objects}), contender_(make_contender(space, factory_)),
           world_(factory_.make(contender_->space()))
     {}
 
@@ -73,9 +75,9 @@ private:
     std::vector<std::uint64_t> hashes_; ///< of the pairs of each tick
 };
 
-void clock_query(benchmark::State &state, const Query &query, SpaceKind kind)
+void clock_query(benchmark::State &state, const Query &query, const std::string &space)
 {
-    QueryRun run(kind, query);
+    QueryRun run(space, query);
     for (int tick = 0; tick < std::min(warm_up_ticks, query.ticks); ++tick)
         run.tick();
     std::vector<double> times;
@@ -91,12 +93,11 @@ void clock_query(benchmark::State &state, const Query &query, SpaceKind kind)
 
 void register_query(const Query &query)
 {
-    for (const SpaceKind kind : {SpaceKind::simple, SpaceKind::predictive, SpaceKind::predictive_by_spheres,
-                                 SpaceKind::hash, SpaceKind::quadtree, SpaceKind::sweep_and_prune})
+    for (const std::string space : {"simple", "predictive-box", "predictive-sphere", "hash", "quadtree", "sap"})
     {
-        const std::string name = benchmark_name("query", query.name, query.objects, space_name(kind));
+        const std::string name = benchmark_name("query", query.name, query.objects, space);
         benchmark::RegisterBenchmark(name.c_str(),
-                                     [query, kind](benchmark::State &state) { clock_query(state, query, kind); })
+                                     [query, space](benchmark::State &state) { clock_query(state, query, space); })
             ->Iterations(query.ticks)
             ->UseManualTime()
             ->Unit(benchmark::kMicrosecond);

@@ -1,7 +1,9 @@
-#include "demos/runs/world_run.h"
 #include "tests/benchmarks/clock/agreement.h"
 #include "tests/benchmarks/clock/clocks.h"
 #include "tests/benchmarks/contenders/contenders.h"
+#include "tests/benchmarks/contenders/pair_hash.h"
+#include "tests/benchmarks/contenders/statistics.h"
+#include "tests/benchmarks/contenders/world_run.h"
 
 #include <algorithm>
 
@@ -65,13 +67,13 @@ void count_calls(benchmark::State &state, const WorldRun &run)
     };
     state.counters["calls"] = per_tick(run.measured().calls);
     state.counters["touching"] = per_tick(run.measured().touching);
-    state.counters["collide_us"] = summarise(run.measured().collide_times).mean;
+    state.counters["collide_us"] = mean(run.measured().collide_times);
 }
 
 void clock_world(benchmark::State &state, const Row &row, const std::string &space, Part part)
 {
     const WorldFactory &factory = factory_of(row.spec());
-    WorldRun run(benchmarks::make_contender(space, factory), factory);
+    WorldRun run(make_contender(space, factory), factory);
     if (part == Part::contact)
         run.measure_contacts();
     run.turn(row.clocked.first);
@@ -85,7 +87,8 @@ void clock_world(benchmark::State &state, const Row &row, const std::string &spa
         state.SetIterationTime(1e-6 * times.back());
     }
     count_percentiles(state, times);
-    state.counters["pairs"] = static_cast<double>(run.reported().pairs) / static_cast<double>(run.reported().ticks());
+    state.counters["pairs"] =
+        static_cast<double>(run.reported().pairs) / static_cast<double>(run.reported().tick_hashes.size());
     if (part == Part::contact)
         count_calls(state, run);
     check_pairs(state, run, row, part);

@@ -50,23 +50,19 @@ private:
     }
 };
 
-class BruteForce : public worlds::Contender
+class BruteForce : public Contender
 {
 public:
-    explicit BruteForce(BruteForceSpace *space) : Contender("brute", worlds::OwnedSpace(space)), brute_(*space) {}
+    explicit BruteForce(BruteForceSpace *space) : Contender(worlds::OwnedSpace(space)), brute_(*space) {}
 
-    std::size_t finish(worlds::PairList &list) override
-    {
-        brute_.find_overlapping(list);
-        return 0;
-    }
+    void finish(worlds::PairList &list) override { brute_.find_overlapping(list); }
 
 private:
     BruteForceSpace &brute_;
 };
 } // namespace
 
-std::unique_ptr<worlds::Contender> make_brute_force()
+std::unique_ptr<Contender> make_brute_force()
 {
     return std::make_unique<BruteForce>(new BruteForceSpace);
 }

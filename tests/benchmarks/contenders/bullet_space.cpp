@@ -98,17 +98,15 @@ private:
     std::vector<btBroadphaseProxy *> proxies_; // indexed by slot
 };
 
-std::unique_ptr<worlds::Contender> contender(const char *name, std::unique_ptr<btBroadphaseInterface> broadphase,
-                                             bool owns_proxies)
+std::unique_ptr<Contender> contender(std::unique_ptr<btBroadphaseInterface> broadphase, bool owns_proxies)
 {
-    return std::make_unique<worlds::Contender>(
-        name, worlds::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
+    return std::make_unique<Contender>(worlds::OwnedSpace(new BulletSpace(std::move(broadphase), owns_proxies)));
 }
 
 /// btAxisSweep3 frees its array of proxies at once. Destroying a proxy would sort it to the end of each axis.
-std::unique_ptr<worlds::Contender> sweep_contender(std::unique_ptr<btBroadphaseInterface> broadphase)
+std::unique_ptr<Contender> sweep_contender(std::unique_ptr<btBroadphaseInterface> broadphase)
 {
-    return contender("bullet-sap", std::move(broadphase), true);
+    return contender(std::move(broadphase), true);
 }
 
 btVector3 bullet_vector(const worlds::Vector3 &v)
@@ -117,12 +115,12 @@ btVector3 bullet_vector(const worlds::Vector3 &v)
 }
 } // namespace
 
-std::unique_ptr<worlds::Contender> make_bullet_dbvt()
+std::unique_ptr<Contender> make_bullet_dbvt()
 {
-    return contender("bullet-dbvt", std::make_unique<btDbvtBroadphase>(), false);
+    return contender(std::make_unique<btDbvtBroadphase>(), false);
 }
 
-std::unique_ptr<worlds::Contender> make_bullet_sap(const worlds::WorldFactory &factory)
+std::unique_ptr<Contender> make_bullet_sap(const worlds::WorldFactory &factory)
 {
     const worlds::Bounds bounds = factory.bounds();
     const btVector3 low = bullet_vector(bounds.centre - bounds.half_extent);

@@ -1,17 +1,18 @@
 #ifndef ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
 #define ODE_PREDICTIVE_SPACE_TESTS_BENCHMARKS_CONTENDERS_CONTENDERS_H
 
-#include "demos/runs/spaces.h"
+#include "demos/worlds/spaces.h"
+#include "tests/benchmarks/contenders/contender.h"
 
 namespace ode_predictive_space::benchmarks
 {
-/// The spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap" (with Bullet only).
-const std::vector<std::string> &contender_names();
+/// All spaces, and "brute", "sweep", "bullet-dbvt", "bullet-sap" (with Bullet only).
+std::vector<std::string> contender_names();
 
-/// A contender for this world; "predictive" means "predictive-box". @throws std::invalid_argument for an unknown name.
-std::unique_ptr<worlds::Contender> make_contender(const std::string &name, const worlds::WorldFactory &factory);
+/// A contender for this world. @throws std::invalid_argument for an unknown name.
+std::unique_ptr<Contender> make_contender(const std::string &name, const worlds::WorldFactory &factory);
 
-bool is_space(const std::string &name);
+bool is_space(const std::string &contender);
 } // namespace ode_predictive_space::benchmarks
 
 #endif

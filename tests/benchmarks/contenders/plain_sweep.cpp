@@ -64,8 +64,8 @@ private:
 };
 } // namespace
 
-std::unique_ptr<worlds::Contender> make_plain_sweep()
+std::unique_ptr<Contender> make_plain_sweep()
 {
-    return std::make_unique<worlds::Contender>("sweep", worlds::OwnedSpace(new PlainSweepSpace));
+    return std::make_unique<Contender>(worlds::OwnedSpace(new PlainSweepSpace));
 }
 } // namespace ode_predictive_space::benchmarks

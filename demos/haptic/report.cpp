@@ -1,5 +1,6 @@
 #include "demos/haptic/report.h"
-#include "demos/runs/table.h"
+
+#include "demos/haptic/numbers.h"
 #include "ode_predictive_space/recording/curves.h"
 
 #include <iomanip>
@@ -22,8 +23,6 @@ namespace
 {
 using recording::Curve;
 using recording::Plot;
-using worlds::fixed;
-using worlds::grouped;
 
 constexpr char seconds_label[] = "simulated time (s)";
 
@@ -83,8 +82,8 @@ void print_force(std::ostream &out, const RunResult &result)
 void print_collisions(std::ostream &out, const RunResult &result)
 {
     const double steps = static_cast<double>(std::max<std::uint64_t>(result.loop.steps, 1));
-    line(out, "Collisions") << text_of(result.collide) << "; " << fixed(static_cast<double>(result.pairs) / steps, 1)
-                            << " near pairs per step\n";
+    line(out, "Collisions") << text_of(result.scene.collide) << "; "
+                            << fixed(static_cast<double>(result.scene.pairs) / steps, 1) << " near pairs per step\n";
     const EncounterSummary encounters = result.encounters.value_or(EncounterSummary());
     if (encounters.contacts > 0)
         line(out, "Prediction") << "of " << encounters.contacts << " first contacts, " << encounters.predicted
@@ -113,8 +112,8 @@ std::string text_of(const Options &options, const RunResult &result)
 {
     std::ostringstream text;
     text << "Scene " << options.scene << " with " << grouped(static_cast<std::uint64_t>(options.objects))
-         << " objects, space " << options.spaces.front() << ", device " << options.device << ", law " << result.law
-         << ", seed " << options.seed << ".\n\n";
+         << " objects, space " << options.space << ", device " << options.device << ", law " << result.law << ", seed "
+         << options.seed << ".\n\n";
     print_loop(text, options, result.loop);
     print_collisions(text, result);
     print_force(text, result);
@@ -122,38 +121,14 @@ std::string text_of(const Options &options, const RunResult &result)
     return text.str();
 }
 
-nlohmann::json json_of(const Options &options, const RunResult &result)
-{
-    nlohmann::json json = {{"program", "predictive_haptic_demo"},
-                           {"scene", options.scene},
-                           {"space", options.spaces.front()},
-                           {"device", options.device},
-                           {"law", result.law},
-                           {"n", options.objects},
-                           {"seed", options.seed},
-                           {"simulated_time", options.fast},
-                           {"loop", result.loop},
-                           {"collide", result.collide},
-                           {"pairs", result.pairs},
-                           {"servo", result.servo},
-                           {"stiffness", result.stiffness},
-                           {"scale", result.scale},
-                           {"safety_notices", result.safety_notices}};
-    if (result.encounters)
-        json["encounters"] = *result.encounters;
-    if (result.replay_error)
-        json["replay"] = {{"ticks", result.replayed_ticks}, {"force_error", *result.replay_error}};
-    return json;
-}
-
 Plot times_plot(const RunResult &result)
 {
     return {"Time per step",
             seconds_label,
             "microseconds",
-            {recording::means("dSpaceCollide(), mean", result.collide_series, result.step_seconds, 1e6),
-             recording::largest("dSpaceCollide(), longest", result.collide_series, result.step_seconds, 1e6),
-             recording::means("contacts and step of the world, mean", result.advance_series, result.step_seconds, 1e6)},
+            {recording::means("dSpaceCollide(), mean", result.scene.collide_series, result.step_seconds, 1e6),
+             recording::largest("dSpaceCollide(), longest", result.scene.collide_series, result.step_seconds, 1e6),
+             recording::means("step of the world, mean", result.scene.advance_series, result.step_seconds, 1e6)},
             true};
 }
 
@@ -188,16 +163,37 @@ Plot contacts_plot(const RunResult &result)
 }
 } // namespace
 
-Report report_of(const Options &options, const RunResult &result)
+recording::Page page_of(const Options &options, const RunResult &result)
 {
-    Report report;
-    report.json = json_of(options, result);
-    report.page = {"A run of the haptic probe", text_of(options, result), {times_plot(result)}};
-    report.page.plots.push_back(servo_plot("Force at the hand", "newtons", result, result.servo.forces, 1));
+    recording::Page page{"A run of the haptic probe", text_of(options, result), {times_plot(result)}};
+    page.plots.push_back(servo_plot("Force at the hand", "newtons", result, result.servo.forces, 1));
     if (!options.fast) // simulated time has no periods
-        report.page.plots.push_back(
-            servo_plot("Period of the servo", "milliseconds", result, result.servo.periods, 1e3));
-    report.page.plots.push_back(contacts_plot(result));
-    return report;
+        page.plots.push_back(servo_plot("Period of the servo", "milliseconds", result, result.servo.periods, 1e3));
+    page.plots.push_back(contacts_plot(result));
+    return page;
+}
+
+nlohmann::json json_of(const Options &options, const RunResult &result)
+{
+    nlohmann::json json = {{"program", "predictive_haptic_demo"},
+                           {"scene", options.scene},
+                           {"space", options.space},
+                           {"device", options.device},
+                           {"law", result.law},
+                           {"n", options.objects},
+                           {"seed", options.seed},
+                           {"simulated_time", options.fast},
+                           {"loop", result.loop},
+                           {"collide", result.scene.collide},
+                           {"pairs", result.scene.pairs},
+                           {"servo", result.servo},
+                           {"stiffness", result.stiffness},
+                           {"scale", result.scale},
+                           {"safety_notices", result.safety_notices}};
+    if (result.encounters)
+        json["encounters"] = *result.encounters;
+    if (result.replay_error)
+        json["replay"] = {{"ticks", result.replayed_ticks}, {"force_error", *result.replay_error}};
+    return json;
 }
 } // namespace ode_predictive_space::demo
