@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -72,12 +71,9 @@ void check_writable(const std::string &file)
 {
     if (file.empty())
         return;
-    const bool existed = std::filesystem::exists(file);
     errno = 0;
     if (!std::ofstream(file, std::ios::app))
         throw std::runtime_error(file + " cannot be written: " + std::strerror(errno));
-    if (!existed)
-        std::filesystem::remove(file);
 }
 
 void check_outputs(const Options &options)

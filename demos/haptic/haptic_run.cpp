@@ -76,13 +76,13 @@ haptics::WorkspacePlacement HapticRun::place_hand()
     haptics::WorkspacePlacement placement = haptics::WorkspacePlacement::covering(within_reach, workspace, axes);
     const Vector3 at_device = device_.read(0).position;
     const Vector3 wish = placement.offset + placement.scale * (axes * at_device);
-    start_ = worlds::free_place(scene_.world(), wish, probe_radius, within_reach);
-    if (start_ != wish)
+    const Vector3 start = worlds::free_place(scene_.world(), wish, probe_radius, within_reach);
+    if (start != wish)
     {
-        const Vector3 moved = (start_ - wish).cwiseAbs();
+        const Vector3 moved = (start - wish).cwiseAbs();
         placement = haptics::WorkspacePlacement::covering({within_reach.min() - moved, within_reach.max() + moved},
                                                           workspace, axes);
-        placement.offset = start_ - placement.scale * (axes * at_device);
+        placement.offset = start - placement.scale * (axes * at_device);
     }
     return placement;
 }

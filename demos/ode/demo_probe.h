@@ -26,8 +26,8 @@ void demoProbeStep(void);
 /** Destroys the probe's geom; call it before its space is destroyed. The next demoProbeStep() makes another one. */
 void demoProbeDestroy(void);
 
-/** In place of dsSimulationLoop(): with the probe drawn, and keys pressed as -keys says. Without a window it describes
-    the scene at the end, and ends the program with status 1 if a check failed. */
+/** In place of dsSimulationLoop(): with the probe drawn, and keys pressed as -keys says. Without a window it prints
+    numbers of steps and pairs at the end, and ends the program with status 1 if a predictive space was not valid. */
 void demoSimulationLoop(int argc, char **argv, int window_width, int window_height, dsFunctions *fn);
 
 #ifdef __cplusplus

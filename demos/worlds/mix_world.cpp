@@ -1,7 +1,6 @@
 // The paper's experiment: still and moving objects in a room, and a probe that a hand moves among them.
 
 #include "demos/worlds/lists.h"
-#include "demos/worlds/probe_force.h"
 #include "demos/worlds/stepped_world.h"
 #include "ode_predictive_space/haptics/hand_path.h"
 
@@ -52,6 +51,55 @@ std::vector<Vector3> places_in_lattice(int count, double half_room, haptics::Ran
     return places;
 }
 
+/// The penalty force of the paper: F = k d n for each touched object, d the depth of the deepest contact with it and n its
+/// normal, towards the probe. Both each force and their sum are kept within the maximum; -F acts on the touched body. The values
+/// are those of a PHANToM Desktop, with half of the stiffness that it can render.
+class ProbeForce
+{
+public:
+    /// Add the contacts with one object, made by dCollide() with the probe first. `body` may be 0.
+    void touch(const dContactGeom *contacts, int count, dBodyID body)
+    {
+        if (count == 0)
+            return;
+        const dContactGeom &deepest = *std::max_element(
+            contacts, contacts + count, [](const dContactGeom &a, const dContactGeom &b) { return a.depth < b.depth; });
+        const double magnitude = std::min(stiffness * deepest.depth, max_force);
+        pushes_.push_back({body, from_ode(deepest.pos), magnitude * from_ode(deepest.normal)});
+    }
+
+    /// Pushes the touched bodies and starts again. The sum is scaled, so the force on the person stays its opposite.
+    void apply()
+    {
+        Vector3 total = Vector3::Zero();
+        for (const Push &push : pushes_)
+            total += push.force;
+        const double share = std::min(1.0, max_force / total.norm());
+        for (const Push &push : pushes_)
+        {
+            if (push.body == nullptr)
+                continue;
+            const Vector3 reaction = -share * push.force;
+            dBodyAddForceAtPos(push.body, reaction.x(), reaction.y(), reaction.z(), push.point.x(), push.point.y(),
+                               push.point.z());
+        }
+        pushes_.clear();
+    }
+
+private:
+    static constexpr double stiffness = 500; ///< k, N/m
+    static constexpr double max_force = 7.9; ///< N
+
+    struct Push
+    {
+        dBodyID body; ///< 0: an object without a body
+        Vector3 point;
+        Vector3 force; ///< on the probe, N
+    };
+
+    std::vector<Push> pushes_;
+};
+
 /// Spheres, boxes, capsules and meshes in equal parts, without gravity. Half of them have no body and stay; the others float,
 /// bounce, and are gently driven back to their initial speed, so that the motion does not die down. The probe, unless the
 /// caller brings one, is the geom number 0: a sphere without a body, placed at the hand.
@@ -83,18 +131,14 @@ public:
         SteppedWorld::advance();
         if (probe_ == nullptr)
             return;
-        report_.position = hand_.position(++tick_ * usual_tick);
-        set_position(probe_, report_.position);
+        set_position(probe_, hand_.position(++tick_ * usual_tick));
     }
 
     void respond(const std::vector<IndexPair> &pairs) override
     {
-        report_.touched.clear();
         SteppedWorld::respond(pairs);
-        report_.force = force_.apply();
+        probe_force_.apply();
     }
-
-    const ProbeReport *probe() const override { return probe_ != nullptr ? &report_ : nullptr; }
 
 private:
     struct Floater
@@ -129,15 +173,13 @@ private:
     {
         if (probe_ == nullptr || pair.first != probe_index)
             return false;
-        report_.touched.push_back(pair.second);
-        force_.touch(contacts, count, dGeomGetBody(objects_.geom(pair.second)));
+        probe_force_.touch(contacts, count, dGeomGetBody(objects_.geom(pair.second)));
         return true;
     }
 
     haptics::HandPath hand_;
     dGeomID probe_; ///< null when the caller brings one
-    ProbeForce force_;
-    ProbeReport report_;
+    ProbeForce probe_force_;
     std::vector<Floater> floaters_;
     int tick_ = 0;
 };

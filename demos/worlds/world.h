@@ -60,14 +60,6 @@ inline std::function<Bounds(int)> gas_bounds(double volume_fraction)
     return [volume_fraction](int objects) { return cube(half_gas_room(objects, volume_fraction)); };
 }
 
-/// The probe of a world in the last tick.
-struct ProbeReport
-{
-    Vector3 position = Vector3::Zero();
-    Vector3 force = Vector3::Zero();      ///< on the probe, N
-    std::vector<std::uint32_t> touched{}; ///< numbers of the geoms that it touches, ascending
-};
-
 /// A running world. The space of its geoms must outlive it.
 class World
 {
@@ -91,9 +83,6 @@ public:
 
     /// Whether respond() may be omitted: the motion does not depend on the pairs.
     virtual bool moves_by_itself() const { return true; }
-
-    /// The probe in the last tick; null in a world without one.
-    virtual const ProbeReport *probe() const { return nullptr; }
 
     /// All geoms of the world by their numbers; null for destroyed ones. (Not every space can enumerate its geoms.)
     virtual const std::vector<dGeomID> &geoms() const { return objects_.geoms(); }

@@ -158,7 +158,7 @@ TEST_F(ProbeRun, NoticesAnUnwritableFileBeforeTheRun)
               "predictive_haptic_demo: /no/such/folder/a.json cannot be written: No such file or directory\n");
 }
 
-TEST_F(ProbeRun, ChecksFilesWithoutChangingThem)
+TEST_F(ProbeRun, KeepsTheResultsOfAnEarlierRunWhenItFails)
 {
     std::ofstream(file("results.json")) << "kept";
     EXPECT_EQ(run(HAPTIC_DEMO, "--replay /no/such/recording --headless --json '" + file("results.json") + "'").status,
@@ -166,8 +166,6 @@ TEST_F(ProbeRun, ChecksFilesWithoutChangingThem)
     std::string text;
     std::ifstream(file("results.json")) >> text;
     EXPECT_EQ(text, "kept");
-    EXPECT_EQ(run(HAPTIC_DEMO, "--replay /no/such/recording --headless --json '" + file("new.json") + "'").status, 2);
-    EXPECT_FALSE(std::filesystem::exists(file("new.json")));
 }
 
 // Once, it ended with status 0, or 1 for the help.

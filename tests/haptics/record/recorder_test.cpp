@@ -104,8 +104,8 @@ TEST(Recorder, OnAFullDiskSaysSoFromTheNextTickOn)
         }
         else
         {
-            for (; add(recorder, tick); ++tick)
-                std::this_thread::yield();
+            for (; add(recorder, tick); ++tick) // slower than the thread writes, so that the buffer never is full
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
             ++tick;
         }
         EXPECT_EQ(recorder.lost(), static_cast<std::size_t>(tick)) << "also those that were waiting";
