@@ -33,7 +33,7 @@ std::string what_a_window_lacks()
 #endif
 }
 
-demo::RunResult run(const Options &options, bool in_window)
+demo::RunResult run(const Options &options, [[maybe_unused]] bool in_window)
 {
     const worlds::WorldFactory factory({options.scene, options.objects, options.seed, -1, false});
     demo::DemoDevice device(haptics::make_device(options.device, options.seed));
@@ -41,8 +41,6 @@ demo::RunResult run(const Options &options, bool in_window)
 #ifdef HAPTIC_DEMO_HAS_WINDOW
     if (in_window)
         return demo::run_in_window(options, factory, device, notice);
-#else
-    static_cast<void>(in_window);
 #endif
     demo::RunControl control;
     return demo::HapticRun(options, factory, device, control, notice).run();

@@ -3,6 +3,9 @@
 
 #include "ode_predictive_space/haptics/probe.h"
 
+#include <map>
+#include <set>
+
 namespace ode_predictive_space::demo
 {
 struct LoggedContact
@@ -38,18 +41,17 @@ public:
     EncounterSummary summary() const;
 
 private:
+    using Object = std::uintptr_t; ///< as haptics::object_of() gives it
+
     struct Listed
     {
-        std::uintptr_t object;
         double since;    ///< s
         double forecast; ///< s; when it can be near
         bool near;
     };
 
-    std::vector<Listed> list(double time, const std::vector<haptics::Encounter> &encounters) const;
-
-    std::vector<Listed> listed_;
-    std::vector<std::uintptr_t> touched_; ///< in the tick before
+    std::map<Object, Listed> listed_; ///< in the tick before
+    std::set<Object> touched_;        ///< in the tick before
     std::vector<LoggedContact> contacts_;
     std::size_t missed_ = 0;
 };

@@ -76,13 +76,13 @@ haptics::WorkspacePlacement HapticRun::place_hand()
     haptics::WorkspacePlacement placement = haptics::WorkspacePlacement::covering(within_reach, workspace, axes);
     const Vector3 at_device = device_.read(0).position;
     const Vector3 wish = placement.offset + placement.scale * (axes * at_device);
-    const Vector3 start = worlds::free_place(scene_.world(), wish, probe_radius, within_reach);
-    if (start != wish)
+    start_ = worlds::free_place(scene_.world(), wish, probe_radius, within_reach);
+    if (start_ != wish)
     {
-        const Vector3 moved = (start - wish).cwiseAbs();
+        const Vector3 moved = (start_ - wish).cwiseAbs();
         placement = haptics::WorkspacePlacement::covering({within_reach.min() - moved, within_reach.max() + moved},
                                                           workspace, axes);
-        placement.offset = start - placement.scale * (axes * at_device);
+        placement.offset = start_ - placement.scale * (axes * at_device);
     }
     return placement;
 }
@@ -117,10 +117,8 @@ void HapticRun::make_adjustable()
     result_.scale = mapping.placement().scale;
     control_.stiffness = mapping.stiffness_at_device(surface.stiffness);
     probe_->set_materials([this, surface, stiffest](dGeomID) {
-        haptics::Material material = surface;
         const double wish = control_.stiffness.load(std::memory_order_relaxed) / result_.scale;
-        material.stiffness = std::min(wish, stiffest);
-        return material;
+        return haptics::Material{std::min(wish, stiffest), surface.damping, surface.friction};
     });
 }
 
@@ -184,15 +182,12 @@ void HapticRun::compare_with_recording()
     const haptics::Recording *recording = recording_of(device_);
     if (recording == nullptr || !recording->has_forces)
         return;
-    std::vector<Vector3> recorded;
-    for (const haptics::RecordedTick &tick : recording->ticks)
-        recorded.push_back(tick.force);
-    std::vector<Vector3> rendered = servo_log_->forces();
-    const std::size_t common = std::min(recorded.size(), rendered.size());
-    recorded.resize(common);
-    rendered.resize(common);
-    if (common > 0)
+    std::vector<Vector3> rendered = servo_log_->forces(), recorded;
+    result_.replayed_ticks = std::min(rendered.size(), recording->ticks.size());
+    for (std::size_t i = 0; i < result_.replayed_ticks; ++i)
+        recorded.push_back(recording->ticks[i].force);
+    rendered.resize(recorded.size());
+    if (!recorded.empty())
         result_.replay_error = haptics::compare_forces(recorded, rendered);
-    result_.replayed_ticks = common;
 }
 } // namespace ode_predictive_space::demo

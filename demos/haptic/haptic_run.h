@@ -62,6 +62,7 @@ public:
     ServoLog &servo_log() { return *servo_log_; }
 
     const HapticScene &scene() const { return scene_; }
+    const Vector3 &start() const { return start_; } ///< m; where the probe begins: in free space
     dGeomID probe_geom() const { return probe_->geom(); }
     const haptics::RenderedTick &rendered() const { return loop_->latest(); }
     const std::vector<dGeomID> &touched() const { return touched_; } ///< in the last step
@@ -83,7 +84,8 @@ private:
     DemoDevice &device_;
     RunControl &control_;
     HapticScene scene_;
-    double max_stiffness_ = 0; ///< N/m, at the hand
+    Vector3 start_ = Vector3::Zero(); ///< m
+    double max_stiffness_ = 0;        ///< N/m, at the hand
     std::vector<dGeomID> touched_;
     std::vector<haptics::Encounter> meetings_;
     EncounterLog encounter_log_;

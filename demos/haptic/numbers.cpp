@@ -15,11 +15,6 @@ struct GroupsOfThree : std::numpunct<char>
 };
 } // namespace
 
-std::string grouped(std::uint64_t number)
-{
-    return fixed(static_cast<double>(number), 0);
-}
-
 std::string fixed(double number, int decimals)
 {
     std::ostringstream text;

@@ -6,11 +6,13 @@
 
 namespace ode_predictive_space::demo
 {
-/// A whole number with its digits in groups of three: 1,234,567.
-std::string grouped(std::uint64_t number);
-
-/// A number with the given number of digits after the point, grouped before it: 1,234.5.
+/// A number with the given number of digits after the point, in groups of three before it: 1,234.5.
 std::string fixed(double number, int decimals);
+
+inline std::string grouped(std::uint64_t number)
+{
+    return fixed(static_cast<double>(number), 0);
+}
 } // namespace ode_predictive_space::demo
 
 #endif

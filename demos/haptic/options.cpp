@@ -11,8 +11,6 @@ namespace
 {
 void declare_scene(CLI::App &app, Options &options)
 {
-    std::vector<std::string> spaces = worlds::all_spaces();
-    spaces.push_back(options.space);
     app.add_option("--scene", options.scene, "The scene around the probe")
         ->check(CLI::IsMember(scenes_for_probes()))
         ->capture_default_str();
@@ -21,7 +19,7 @@ void declare_scene(CLI::App &app, Options &options)
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Seed of positions, motions and the hand")->capture_default_str();
     app.add_option("--space", options.space, "The space that finds the pairs")
-        ->check(CLI::IsMember(spaces))
+        ->check(CLI::IsMember(worlds::all_spaces()))
         ->capture_default_str();
 }
 

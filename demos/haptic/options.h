@@ -11,7 +11,7 @@ namespace ode_predictive_space::demo
 struct Options
 {
     std::string scene = "mix";
-    std::string space = "predictive";
+    std::string space = "predictive-box";
     std::string device = "virtual";
     std::string law;        ///< empty: that of the recording in a replay, otherwise proxy
     double stiffness = 500; ///< N/m, at the hand

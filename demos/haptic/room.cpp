@@ -1,8 +1,6 @@
 #include "demos/haptic/room.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -74,38 +72,17 @@ private:
     std::vector<std::pair<Eigen::AlignedBox3d, dGeomID>> boxes_;
 };
 
-/// The nearest free place on the surface of a cube of lattice points, so many steps from its middle.
-std::optional<Vector3> nearest_on_shell(const Obstacles &obstacles, const Vector3 &middle, double step, int steps,
-                                        const Eigen::AlignedBox3d &within)
+/// A free place in the room near the wish: places are drawn further and further away, and the first that is free is taken.
+std::optional<Vector3> place_near(const World &scene, const Vector3 &wish, double radius,
+                                  const Eigen::AlignedBox3d &room)
 {
-    std::optional<Vector3> nearest;
-    for (int x = -steps; x <= steps; ++x)
-    {
-        for (int y = -steps; y <= steps; ++y)
-        {
-            const bool is_side = std::max(std::abs(x), std::abs(y)) == steps;
-            for (int z = -steps; z <= steps; z += is_side ? 1 : 2 * steps)
-            {
-                const Vector3 place = middle + step * Vector3(x, y, z);
-                const bool is_nearer = !nearest || (place - middle).norm() < (*nearest - middle).norm();
-                if (is_nearer && within.contains(place) && obstacles.is_free(place))
-                    nearest = place;
-            }
-        }
-    }
-    return nearest;
-}
-/// @param step m; of the lattice. @param within m; the place is in this box. @return nothing when there is no such place.
-std::optional<Vector3> nearest_free(const World &scene, const Vector3 &wish, double radius, double step,
-                                    const Eigen::AlignedBox3d &within)
-{
+    constexpr int attempts = 20000;
     const Obstacles obstacles(scene, radius);
-    if (obstacles.is_free(wish))
-        return wish;
-    const int most = static_cast<int>(std::ceil(within.sizes().maxCoeff() / step));
-    for (int steps = 1; steps <= most; ++steps)
+    haptics::Random random(1);
+    for (int i = 0; i < attempts; ++i)
     {
-        if (const auto place = nearest_on_shell(obstacles, wish, step, steps, within))
+        const Vector3 place = wish + i * (room.diagonal().norm() / attempts) * random.direction();
+        if ((i == 0 || room.contains(place)) && obstacles.is_free(place))
             return place;
     }
     return {};
@@ -114,9 +91,9 @@ std::optional<Vector3> nearest_free(const World &scene, const Vector3 &wish, dou
 
 Vector3 free_place(const World &scene, const Vector3 &wish, double radius, const Eigen::AlignedBox3d &room)
 {
-    if (const auto place = nearest_free(scene, wish, 1.5 * radius, radius, room))
+    if (const auto place = place_near(scene, wish, 1.5 * radius, room))
         return *place;
     const Vector3 beyond = Vector3::Constant(2 * radius);
-    return nearest_free(scene, wish, radius, radius / 4, {room.min() - beyond, room.max() + beyond}).value_or(wish);
+    return place_near(scene, wish, radius, {room.min() - beyond, room.max() + beyond}).value_or(wish);
 }
 } // namespace ode_predictive_space::worlds

@@ -12,9 +12,9 @@ Eigen::AlignedBox3d bounds_of(dGeomID geom);
 /// without a body, and above a heightfield. Metres.
 Eigen::AlignedBox3d room_inside_walls(const World &scene, const Bounds &bounds);
 
-/// A place for a sphere that touches nothing of a scene: the wish, or the nearest one in a lattice around it, in the room with a
-/// margin of half a radius; without such a place one without a margin, up to two radii beyond the room; otherwise the wish. The
-/// space of the scene is not asked, so that its first tick remains its first. Metres.
+/// A place for a sphere that touches nothing of a scene: the wish, or one near it in the room, with a margin of half a radius;
+/// without such a place one without a margin, up to two radii beyond the room; otherwise the wish. The space of the scene is not
+/// asked, so that its first tick remains its first. Metres.
 Vector3 free_place(const World &scene, const Vector3 &wish, double radius, const Eigen::AlignedBox3d &room);
 } // namespace ode_predictive_space::worlds
 

@@ -30,12 +30,12 @@ void ServoLog::add(const haptics::RenderedTick &tick)
 
 void ServoLog::add_to_chart(double force)
 {
-    const Clock::time_point now = Clock::now();
+    const double now = clock_.now();
     column_.force = std::max(column_.force, force);
     totals_.forces.add(force);
     if (totals_.ticks > 1)
     {
-        const double period = std::chrono::duration<double>(now - last_tick_).count();
+        const double period = now - last_tick_;
         column_.period = std::max(column_.period, period);
         totals_.periods.add(period);
     }

@@ -4,12 +4,12 @@
 #define ODE_PREDICTIVE_SPACE_DEMOS_HAPTIC_SERVO_LOG_H
 
 #include "ode_predictive_space/haptics/exchange.h"
+#include "ode_predictive_space/haptics/loop.h"
 #include "ode_predictive_space/haptics/recording.h"
 #include "ode_predictive_space/haptics/renderer.h"
 #include "ode_predictive_space/recording/bounded_series.h"
 
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,14 +71,13 @@ public:
 private:
     void add_to_chart(double force);
 
-    using Clock = std::chrono::steady_clock;
-
     int ticks_per_column_;
     std::unique_ptr<haptics::Recorder> recorder_;
     bool keep_forces_;
     std::vector<haptics::Vector3> forces_;
     ServoTotals totals_;
-    Clock::time_point last_tick_{};
+    haptics::MonotonicClock clock_;
+    double last_tick_ = 0; ///< s
     ServoColumn column_;
     std::atomic<double> longest_step_{0};
     ServoChart ring_;

@@ -58,7 +58,7 @@ dSpaceID make_space(const std::string &name, const WorldFactory &factory)
         return make_predictive(dPredictiveProximitySphere);
     if (name == "predictive-shape")
         return make_predictive(dPredictiveProximityShape);
-    if (name == "predictive-box" || name == "predictive")
+    if (name == "predictive-box")
         return make_predictive(dPredictiveProximityBox);
     throw std::invalid_argument("there is no space named \"" + name + "\"");
 }

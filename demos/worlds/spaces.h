@@ -13,7 +13,7 @@ const std::vector<std::string> &exact_spaces();
 /// These and "predictive-sphere", "predictive-shape".
 const std::vector<std::string> &all_spaces();
 
-/// The quadtree needs the bounds and the depth in advance. @param name one of all_spaces(), or "predictive": predictive-box.
+/// The quadtree needs the bounds and the depth in advance. @param name one of all_spaces().
 /// @throws std::invalid_argument for another name; std::runtime_error when the plugin refuses to make the space.
 dSpaceID make_space(const std::string &name, const WorldFactory &factory);
 

@@ -41,7 +41,7 @@ Start start_of(const std::string &scene, int objects, std::uint64_t seed, const 
     DemoDevice device(haptics::make_device(device_name, seed));
     RunControl control;
     const HapticRun run(options, factory, device, control, [](const haptics::Notice &) {});
-    const Vector3 place(dGeomGetPosition(run.probe_geom()));
+    const Vector3 place = run.start();
     return {place, deepest_contact(run.scene().world(), place, HapticRun::probe_radius)};
 }
 
