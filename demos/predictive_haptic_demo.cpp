@@ -21,8 +21,6 @@ namespace
 using namespace ode_predictive_space;
 using demo::Options;
 
-constexpr double usual_seconds_without_window = 5;
-
 /// The reason for which a window cannot be opened; empty when it can.
 std::string what_a_window_lacks()
 {
@@ -55,7 +53,7 @@ demo::RunResult run_as_asked(Options &options)
     if (!in_window && options.device == "mouse")
         throw std::runtime_error("--device mouse needs a window, whose pointer moves the probe");
     if (!in_window && options.seconds == 0)
-        options.seconds = usual_seconds_without_window;
+        options.seconds = 5; // as --help says
     if (in_window)
         std::cout << "The keys are listed in the window.\n" << std::flush;
     else
@@ -67,10 +65,8 @@ demo::RunResult run_as_asked(Options &options)
 
 void check_writable(const std::string &file)
 {
-    if (file.empty())
-        return;
     errno = 0;
-    if (!std::ofstream(file, std::ios::app))
+    if (!file.empty() && !std::ofstream(file, std::ios::app))
         throw std::runtime_error(file + " cannot be written: " + std::strerror(errno));
 }
 
