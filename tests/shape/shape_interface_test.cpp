@@ -120,6 +120,34 @@ TEST_F(ShapeProximity, JudgesCapsulesByBoxesBesideMeshesThatKeepTheirTriangles)
     dGeomDestroy(coherent);
 }
 
+TEST_F(ShapeProximity, SeesAGapAlongTheNormalOfATriangle)
+{
+    Polyhedron sheets = Polyhedron::square().changed({1, 1, 1}, {0, 0, 1});
+    sheets.add(Polyhedron::square().changed({3, 3, 1}, {0, 0, 4}));
+    const MeshArrays arrays(sheets);
+    const dGeomID mesh = dCreateTriMesh(space, arrays.id(), nullptr, nullptr, nullptr);
+    const dGeomID capsule = dCreateCapsule(space, REAL(0.1), 3);
+    dQuaternion lying, rolled, flat, tilted, both;
+    dQFromAxisAndAngle(lying, 0, 1, 0, static_cast<dReal>(M_PI_2));
+    dQFromAxisAndAngle(rolled, 0, 0, 1, 1); // so that its axes are not the normal
+    dQMultiply0(flat, lying, rolled);
+    dQFromAxisAndAngle(tilted, 1, 1, 0, REAL(0.6)); // so that the boxes overlap
+    dQMultiply0(both, tilted, flat);
+    dGeomSetQuaternion(mesh, tilted);
+    dGeomSetQuaternion(capsule, both);
+    const dReal *R = dGeomGetRotation(mesh);
+    for (const bool touches : {false, true})
+    {
+        const dVector3 place = {2, 0,
+                                touches ? REAL(1.098) : REAL(1.102)}; // its middle is beside the sheet, an end above it
+        dVector3 turned;
+        dMultiply0_331(turned, R, place);
+        dGeomSetPosition(capsule, turned[0], turned[1], turned[2]);
+        EXPECT_EQ(pairs(), touches ? 1u : 0u);
+    }
+    dGeomDestroy(mesh);
+}
+
 // In between, gap tests of primitives are given up and tried again.
 TEST_F(ShapeProximity, ReportsWhatComesToRestBeforeItIsLookedAtAgain)
 {

@@ -106,6 +106,51 @@ int ticks_per_comparison(const Case &one)
     return one.objects < 1000 ? 97 : 997;
 }
 
+/// The heap of a sanitizer is not seen here.
+bool heap_is_seen()
+{
+    const std::size_t before = memory_now().allocated;
+    const std::vector<char> block(1 << 16);
+    return memory_now().allocated >= before + block.size();
+}
+
+TEST(Stats, CountTheBytesOfTheHeap)
+{
+    constexpr int ticks = 60, jump = 30;
+    const worlds::OdeSession ode;
+    for (const int proximity : {dPredictiveProximityBox, dPredictiveProximitySphere, dPredictiveProximityShape})
+    {
+        std::vector<dGeomID> geoms;
+        for (int i = 0; i < 5000; ++i)
+        {
+            geoms.push_back(dCreateSphere(nullptr, 0.2));
+            dGeomSetPosition(geoms.back(), i % 17, i / 17 % 17, i / 289);
+        }
+        const dGeomID plane = dCreatePlane(nullptr, 0, 0, 1, -1);
+        const std::size_t without = memory_now().allocated;
+        const worlds::OwnedSpace owned(dPredictiveSpaceCreate(nullptr));
+        dPredictiveSpaceSetProximity(owned.get(), proximity);
+        dSpaceAdd(owned.get(), plane);
+        for (const dGeomID geom : geoms)
+            dSpaceAdd(owned.get(), geom);
+        for (int tick = 0; tick < ticks; ++tick)
+        {
+            for (std::size_t i = 0; i < geoms.size(); i += tick == jump ? 1 : 2)
+            {
+                const dReal *at = dGeomGetPosition(geoms[i]);
+                dGeomSetPosition(geoms[i], at[0] + (tick == jump ? 3.0 : 0.01), at[1], at[2] + 0.005);
+            }
+            dSpaceCollide(owned.get(), nullptr, [](void *, dGeomID, dGeomID) {});
+            dPredictiveSpaceStats stats;
+            dPredictiveSpaceGetStats(owned.get(), &stats);
+            const double ratio =
+                static_cast<double>(memory_now().allocated - without) / static_cast<double>(stats.bytes);
+            ASSERT_TRUE(!heap_is_seen() || std::abs(ratio - 1) < 0.02)
+                << proximity << ", tick " << tick << ": " << ratio;
+        }
+    }
+}
+
 class Soak : public ::testing::TestWithParam<Case>
 {
 protected:
