@@ -28,21 +28,15 @@ double deepest_contact(const worlds::World &scene, const Vector3 &place, double 
     return deepest;
 }
 
-struct Start
-{
-    Vector3 place; ///< m
-    double depth;  ///< m, of the deepest contact
-};
-
-Start start_of(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
+/// Depth of the deepest contact of a probe at its start, m.
+double depth_at_start(const std::string &scene, int objects, std::uint64_t seed, const std::string &device_name)
 {
     const worlds::WorldFactory factory({scene, objects, seed, -1, false});
     Options options;
     DemoDevice device(haptics::make_device(device_name, seed));
     RunControl control;
     const HapticRun run(options, factory, device, control, [](const haptics::Notice &) {});
-    const Vector3 place = run.start();
-    return {place, deepest_contact(run.scene().world(), place, HapticRun::probe_radius)};
+    return deepest_contact(run.scene().world(), run.start(), HapticRun::probe_radius);
 }
 
 class FreeStart : public testing::Test
@@ -60,7 +54,7 @@ TEST_F(FreeStart, WhateverTheSeed)
         {
             for (std::uint64_t seed = 1; seed <= 100; ++seed)
             {
-                EXPECT_EQ(start_of("mix", objects, seed, device).depth, 0)
+                EXPECT_EQ(depth_at_start("mix", objects, seed, device), 0)
                     << device << ", " << objects << " objects, seed " << seed;
             }
         }
@@ -73,7 +67,7 @@ TEST_F(FreeStart, InEverySceneForProbes)
     {
         for (const int objects : {1, 30, 200})
         {
-            EXPECT_EQ(start_of(scene, objects, 1, "mouse").depth, 0) << scene << ", " << objects << " objects";
+            EXPECT_EQ(depth_at_start(scene, objects, 1, "mouse"), 0) << scene << ", " << objects << " objects";
         }
     }
 }
