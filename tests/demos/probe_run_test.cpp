@@ -68,7 +68,6 @@ TEST_F(ProbeRun, RefusesWhatContradictsItself)
     for (const char *options :
          {"--headless --screenshot a.png", "--screenshot a.png --seconds 0.5", "--replay a.txt --device virtual"})
         EXPECT_EQ(run(HAPTIC_DEMO, options).status, 2) << options;
-    EXPECT_EQ(run(HAPTIC_DEMO, "--help").status, 0);
 }
 
 TEST_F(ProbeRun, RefusesWhatItDoesNotKnow)
@@ -95,10 +94,7 @@ TEST_F(ProbeRun, PrintsNothingEmpty)
         EXPECT_EQ(outcome.status, 0) << outcome.output;
         std::istringstream lines(outcome.output);
         for (std::string line; std::getline(lines, line);)
-        {
-            line.erase(0, line.rfind('\r') + 1);
             EXPECT_FALSE(contains(line, "of 0 ") || contains(line, "in 0.00 %")) << line;
-        }
     }
 }
 

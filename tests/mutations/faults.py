@@ -272,6 +272,9 @@ def index_faults():
     yield Fault(
         "margin_of_a_ray_from_its_middle_alone", "index", BROADPHASE + "index/ray_probe.h",
         "rounding * (std::abs(centre) + std::abs(span))", "rounding * std::abs(centre)", (("broadphase", "RayProbe.*"),))
+    yield Fault(
+        "bounded_boxes_take_no_memory", "index", BROADPHASE + "index/sort_and_sweep.cpp", "list_.bytes() + bytes_of(bounded_)",
+        "list_.bytes()", (("soak", "Stats.*"),))
 
 
 def proximity_faults():
@@ -584,6 +587,13 @@ def shape_faults():
         "repeating_terrain_without_the_copy_ahead", "shapes", SOURCES + "surface/height_grid.h",
         "last_z = static_cast<int>(std::floor((box.max().z() + distance) / depth()));",
         "last_z = static_cast<int>(std::floor(box.max().z() / depth()));", (("surface", "HeightGrids.*"),))
+    yield Fault(
+        "coinciding_corners_make_a_sliver", "shapes", SOURCES + "space/hull_maker.cpp",
+        "if (!one.isZero(0) && !other.isZero(0) && one != other)", "if ((!one.isZero(0) && !other.isZero(0)) || one != other)",
+        (("shape_contract", "ShapeSlivers.OfNoHeight*"),))
+    yield Fault(
+        "another_axis_than_the_normal_of_a_triangle", "shapes", BROADPHASE + "shape/surface_gap.cpp",
+        "normal = (corners[1] - corners[0])", "normal = (corners[1] + corners[0])", (("shape_contract", "*SeesAGapAlongTheNormal*"),))
 
 
 def sweep_faults():

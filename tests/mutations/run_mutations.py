@@ -36,6 +36,7 @@ SUITES = {  # paths of the programs; quick ones first
     "recordings": "tests/recording/history_tests",
     "histories": "tests/fuzz/contact_history_tests",
     "haptics": "tests/haptics/haptics_test",
+    "soak": "tests/soak/soak_test",
 }
 GOLDEN = "*TheSameToTheLastBit*:*Golden*"
 LONGEST_RUN = 300  # seconds; a fault may keep a test from ending
